@@ -1,0 +1,3 @@
+#include "nodes/TeNodes.h"
+
+void TeNodes::init() {}
