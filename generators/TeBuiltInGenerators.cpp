@@ -1,0 +1,21 @@
+#include "generators/TeBuiltInGenerators.h"
+
+#include "generators/TeGeneratorRegistry.h"
+
+namespace {
+
+template <class Generator> void generator(TeGeneratorRegistry& registry, const char* help) {
+  [[maybe_unused]] const TeStatus ok =
+      registry.addGenerator(Generator().name(), help, [] { return std::make_unique<Generator>(); });
+  assert(ok);
+}
+
+template <class Filter> void filter(TeGeneratorRegistry& registry, const char* help) {
+  [[maybe_unused]] const TeStatus ok =
+      registry.addFilter(Filter().name(), help, [] { return std::make_unique<Filter>(); });
+  assert(ok);
+}
+
+} // namespace
+
+void teAddBuiltInGenerators(TeGeneratorRegistry& registry) {}
