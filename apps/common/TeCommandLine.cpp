@@ -1,0 +1,99 @@
+#include "apps/common/TeCommandLine.h"
+
+#include "apps/common/TeExit.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <limits>
+
+namespace {
+
+std::string numberText(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.10g", value);
+  return text;
+}
+
+/// CLI11's own range check lets NaN pass.
+CLI::Validator within(double minimum, double maximum) {
+  const auto check = [minimum, maximum](std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && value >= minimum && value <= maximum)
+      return {};
+    return "must be a number from " + numberText(minimum) + " to " + numberText(maximum) + ", not '" + text +
+           "'";
+  };
+  return CLI::Validator(check, "");
+}
+
+std::string checkSize(std::string& text) {
+  int width = 0, height = 0, used = 0;
+  const bool read = std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) == 2;
+  const int most = TeCommonOptions::kMaxSide;
+  if (read && std::size_t(used) == text.size() && width >= 1 && width <= most && height >= 1 &&
+      height <= most)
+    return {};
+  return "must be WIDTHxHEIGHT, each from 1 to " + std::to_string(most) + ", not '" + text + "'";
+}
+
+} // namespace
+
+std::string TeCommonOptions::defaultContext() {
+  const char* display = std::getenv("DISPLAY");
+  return display && *display ? "window" : "osmesa";
+}
+
+TeCommandLine::TeCommandLine(const std::string& application, const std::string& description)
+    : m_cli(description, application), m_application(application) {
+  m_common.context = TeCommonOptions::defaultContext();
+  const std::string common = "Common options";
+  m_cli.get_formatter()->column_width(34);
+  m_cli.set_help_flag("-h,--help", "Print this and exit")->group(common);
+  m_cli.set_version_flag("--version", application + " " TERRANE_VERSION, "Print the version and exit")
+      ->group(common);
+  m_cli
+      .add_option("--context", m_common.context,
+                  "window, egl or osmesa (default: window if there is a display)")
+      ->check(CLI::IsMember({"window", "egl", "osmesa"}))
+      ->option_text("NAME")
+      ->group(common);
+  m_cli.add_option("--offscreen", m_common.offscreen, "Write the last frame as a PNG picture")
+      ->option_text("OUT.png")
+      ->group(common);
+  m_cli.add_option("--size", m_size, "Pixels (default: 1024x768)")
+      ->check(CLI::Validator(checkSize, ""))
+      ->option_text("WxH")
+      ->group(common);
+  addInteger("--frames", m_common.frames, 1, 1'000'000'000, "Frames to draw, then exit")->group(common);
+  addNumber("--dt", m_common.dt, 0, 86400, "Seconds a frame, for runs that repeat exactly")->group(common);
+  m_cli.add_option("--seed", m_common.seed, "The world's seed (default: 0)")->option_text("N")->group(common);
+  m_cli.add_option("--report", m_common.report, "Write what was done and measured")
+      ->option_text("OUT.json")
+      ->group(common);
+  m_cli.add_flag("--quiet", m_common.quiet, "Print errors only")->group(common);
+}
+
+CLI::Option* TeCommandLine::addNumber(const std::string& name, double& value, double minimum, double maximum,
+                                      const std::string& help) {
+  return m_cli.add_option(name, value, help)->check(within(minimum, maximum))->option_text("X");
+}
+
+CLI::Option* TeCommandLine::addInteger(const std::string& name, int& value, int minimum, int maximum,
+                                       const std::string& help) {
+  return m_cli.add_option(name, value, help)->check(within(minimum, maximum))->option_text("N");
+}
+
+std::optional<int> TeCommandLine::parse(int argc, char** argv) {
+  for (int i = 1; i < argc; ++i)
+    m_commandText += std::string(i > 1 ? " " : "") + argv[i];
+  try {
+    m_cli.parse(argc, argv);
+  } catch (const CLI::Success& request) { // help, version
+    return m_cli.exit(request);
+  } catch (const CLI::ParseError& error) {
+    return teExitWith(TeExitUsage, m_application, std::string(error.what()) + " (--help lists the options)");
+  }
+  std::sscanf(m_size.c_str(), "%dx%d", &m_common.width, &m_common.height);
+  return {};
+}

@@ -1,0 +1,31 @@
+#include "apps/common/TeReport.h"
+
+#include <sys/resource.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+double tePeakMemoryBytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) * 1024;
+}
+
+TeReport::TeReport(const std::string& application, const std::string& arguments) {
+  m_json["application"] = application;
+  m_json["version"] = TERRANE_VERSION;
+  m_json["arguments"] = arguments;
+}
+
+void TeReport::addTime(const std::string& name, double seconds) { m_json["times_ms"][name] = seconds * 1000; }
+
+TeStatus TeReport::write(const std::string& file) {
+  m_json["memory_peak_bytes"] = tePeakMemoryBytes();
+  std::ofstream stream(file);
+  stream << m_json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
+  stream.close();
+  if (!stream)
+    return TeError{file + ": cannot be written: " + std::strerror(errno)};
+  return {};
+}

@@ -1,0 +1,275 @@
+// The rules of the house: which layer may include and link what, and that tests mirror sources.
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace fs = std::filesystem;
+
+namespace {
+
+const fs::path kRoot = TERRANE_SOURCE_DIR;
+const fs::path kBuild = TERRANE_BINARY_DIR;
+/// From the ground up: a layer includes itself and those before it.
+const std::vector<std::string> kLayers = {"generators", "patchdb", "nodes", "engine"};
+
+std::vector<fs::path> sourcesOf(const fs::path& folder) {
+  std::vector<fs::path> files;
+  for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+    const std::string extension = entry.path().extension().string();
+    if (extension == ".h" || extension == ".cpp")
+      files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+struct Include {
+  std::string path;
+  bool quoted;
+};
+
+std::vector<Include> includesOf(const fs::path& file) {
+  static const std::regex pattern("^\\s*#\\s*include\\s*([<\"])([^>\"]+)[>\"]");
+  std::vector<Include> includes;
+  std::ifstream stream(file);
+  std::smatch match;
+  for (std::string line; std::getline(stream, line);)
+    if (std::regex_search(line, match, pattern))
+      includes.push_back({match[2], match[1] == "\""});
+  return includes;
+}
+
+std::string firstFolder(const std::string& path) { return path.substr(0, path.find('/')); }
+
+int rankOf(const std::string& layer) {
+  const auto found = std::find(kLayers.begin(), kLayers.end(), layer);
+  return found == kLayers.end() ? -1 : int(found - kLayers.begin());
+}
+
+std::string nameOf(const fs::path& file) { return fs::relative(file, kRoot).string(); }
+
+std::vector<std::string> outputLines(const std::string& command) {
+  std::vector<std::string> lines;
+  FILE* pipe = popen(command.c_str(), "r");
+  if (!pipe)
+    return lines;
+  std::array<char, 4096> buffer;
+  while (fgets(buffer.data(), int(buffer.size()), pipe)) {
+    std::string line = buffer.data();
+    while (!line.empty() && line.back() == '\n')
+      line.pop_back();
+    lines.push_back(line);
+  }
+  EXPECT_EQ(pclose(pipe), 0) << command;
+  return lines;
+}
+
+/// Symbols that a library takes from others, without versions.
+std::vector<std::string> importedSymbols(const fs::path& library) {
+  std::vector<std::string> symbols;
+  for (const std::string& line : outputLines(TERRANE_NM " -D --undefined-only '" + library.string() + "'")) {
+    std::istringstream words(line);
+    std::string kind, symbol;
+    words >> kind >> symbol;
+    symbols.push_back(symbol.substr(0, symbol.find('@')));
+  }
+  return symbols;
+}
+
+std::vector<std::string> neededLibraries(const fs::path& binary) {
+  static const std::regex pattern("\\(NEEDED\\).*\\[([^\\]]+)\\]");
+  std::vector<std::string> libraries;
+  std::smatch match;
+  for (const std::string& line : outputLines("LC_ALL=C " TERRANE_READELF " -d '" + binary.string() + "'"))
+    if (std::regex_search(line, match, pattern))
+      libraries.push_back(match[1]);
+  return libraries;
+}
+
+fs::path libraryOf(const std::string& layer) {
+  std::string name = layer;
+  name[0] = char(std::toupper(name[0]));
+  return kBuild / "lib" / ("libTerrane" + name + ".so");
+}
+
+bool startsWithAny(const std::string& text, const std::vector<std::string>& starts) {
+  return std::any_of(starts.begin(), starts.end(),
+                     [&](const std::string& start) { return text.rfind(start, 0) == 0; });
+}
+
+bool isElf(const fs::path& file) {
+  std::ifstream stream(file, std::ios::binary);
+  std::array<char, 4> magic{};
+  stream.read(magic.data(), 4);
+  return stream && magic[0] == 0x7f && magic[1] == 'E' && magic[2] == 'L' && magic[3] == 'F';
+}
+
+/// Libraries, modules and applications of the build.
+std::vector<fs::path> builtBinaries() {
+  std::vector<fs::path> binaries;
+  for (const char* folder : {"lib", "bin"}) {
+    if (!fs::exists(kBuild / folder))
+      continue;
+    for (const auto& entry : fs::recursive_directory_iterator(kBuild / folder)) {
+      const std::string name = entry.path().filename().string();
+      const bool test = name.find("_test") != std::string::npos || name.find("bench") != std::string::npos;
+      if (entry.is_regular_file() && !entry.is_symlink() && !test && isElf(entry.path()))
+        binaries.push_back(entry.path());
+    }
+  }
+  return binaries;
+}
+
+TEST(Architecture, ALayerIncludesOnlyItselfAndThoseBelow) {
+  for (const std::string& layer : kLayers)
+    for (const fs::path& file : sourcesOf(kRoot / layer))
+      for (const Include& include : includesOf(file)) {
+        const int rank = rankOf(firstFolder(include.path));
+        EXPECT_LE(rank, rankOf(layer)) << nameOf(file) << " includes " << include.path;
+        if (include.quoted)
+          EXPECT_GE(rank, 0) << nameOf(file) << " includes \"" << include.path
+                             << "\": paths of the project start at a layer";
+      }
+}
+
+TEST(Architecture, NothingInALayerIncludesAppsOrTests) {
+  for (const std::string& layer : kLayers)
+    for (const fs::path& file : sourcesOf(kRoot / layer))
+      for (const Include& include : includesOf(file))
+        EXPECT_FALSE(startsWithAny(include.path, {"apps/", "tests/", "gtest/", "gmock/"}))
+            << nameOf(file) << " includes " << include.path;
+}
+
+TEST(Architecture, NoCoinWindowOrGlBelowNodes) {
+  for (const char* layer : {"generators", "patchdb"}) {
+    for (const fs::path& file : sourcesOf(kRoot / layer))
+      for (const Include& include : includesOf(file))
+        EXPECT_FALSE(startsWithAny(include.path, {"Inventor/", "GL/", "GLES", "EGL/", "Qt", "Q", "X11/"}))
+            << nameOf(file) << " includes " << include.path;
+    for (const std::string& library : neededLibraries(libraryOf(layer)))
+      EXPECT_FALSE(startsWithAny(
+          library, {"libCoin", "libSoQt", "libGL", "libEGL", "libOpenGL", "libOSMesa", "libQt", "libX"}))
+          << layer << " needs " << library;
+  }
+}
+
+TEST(Architecture, ElevationLibrariesOnlyInModules) {
+  for (const std::string& layer : kLayers)
+    for (const std::string& library : neededLibraries(libraryOf(layer)))
+      EXPECT_FALSE(startsWithAny(library, {"libgdal", "libproj"})) << layer << " needs " << library;
+}
+
+TEST(Architecture, OwnHeaderComesFirst) {
+  for (const std::string& layer : kLayers)
+    for (const fs::path& file : sourcesOf(kRoot / layer)) {
+      fs::path header = file;
+      header.replace_extension(".h");
+      if (file.extension() != ".cpp" || !fs::exists(header))
+        continue;
+      const std::vector<Include> includes = includesOf(file);
+      ASSERT_FALSE(includes.empty()) << nameOf(file);
+      EXPECT_EQ(includes.front().path, nameOf(header)) << nameOf(file);
+    }
+}
+
+TEST(Architecture, FilesAreNamedAfterTheirClass) {
+  for (const std::string& layer : kLayers)
+    for (const fs::path& file : sourcesOf(kRoot / layer)) {
+      const std::string stem = file.stem().string();
+      if (file.extension() != ".h" || !startsWithAny(stem, {"Te", "SoTe"}))
+        continue;
+      std::ifstream stream(file);
+      const std::string text((std::istreambuf_iterator<char>(stream)), std::istreambuf_iterator<char>());
+      // A header of free functions carries the prefix in lower case: teMix() in TeHash.h.
+      const std::regex type("\\b(class|struct|enum class|using)\\s+(\\[\\[\\w+\\]\\]\\s+)?(\\w+\\s+)?" +
+                            stem + "\\b");
+      const std::regex function("\\bte[A-Z]\\w*\\s*\\(");
+      EXPECT_TRUE(std::regex_search(text, type) || std::regex_search(text, function)) << nameOf(file);
+    }
+}
+
+TEST(Architecture, NoLayerImportsAnOpenGlSymbol) {
+  static const std::regex gl("^(gl[A-Z0-9]|glX|egl[A-Z]|OSMesa)\\w*");
+  for (const std::string& layer : kLayers) {
+    const std::vector<std::string> symbols = importedSymbols(libraryOf(layer));
+    EXPECT_FALSE(symbols.empty()) << layer;
+    for (const std::string& symbol : symbols)
+      EXPECT_FALSE(std::regex_match(symbol, gl)) << layer << " imports " << symbol;
+  }
+}
+
+/// Every library that ours may link directly, with its licence. A new one is added here after a look at it.
+TEST(Architecture, OnlyKnownLicencesAreLinked) {
+  const std::vector<std::string> allowed = {
+      "libTerrane",                                                                        // ours
+      "libc.so",       "libm.so",       "libstdc++.so",     "libgcc_s.so",     "ld-linux", // system
+      "libdl.so",      "libpthread.so", "librt.so",         "libasan.so",      "libubsan.so",
+      "libtsan.so",    "libCoin.so",    "libSoQt.so",                                       // BSD-3-Clause
+      "libgdal.so",    "libproj.so",                                                        // MIT
+      "libOSMesa.so",  "libEGL.so",     "libOpenGL.so",     "libGL.so",        "libGLX.so", // MIT
+      "libspdlog.so",  "libfmt.so",                                                         // MIT
+      "libpng16.so",   "libz.so",                                                           // libpng, zlib
+      "libQt5Core.so", "libQt5Gui.so",  "libQt5Widgets.so", "libQt5OpenGL.so",              // LGPL-3
+      "libX11.so",                                                                          // MIT
+  };
+  const std::vector<fs::path> binaries = builtBinaries();
+  EXPECT_GE(binaries.size(), kLayers.size());
+  for (const fs::path& binary : binaries)
+    for (const std::string& library : neededLibraries(binary))
+      EXPECT_TRUE(startsWithAny(library, allowed)) << binary.filename() << " needs " << library;
+}
+
+/// Headers that have no test of their own, each with where their behaviour is tested instead.
+const std::map<std::string, std::string>& headersWithoutTest() {
+  static const std::map<std::string, std::string> reasons = {};
+  return reasons;
+}
+
+TEST(Architecture, TestsMirrorSources) {
+  std::set<std::string> unused;
+  for (const auto& [header, reason] : headersWithoutTest())
+    unused.insert(header);
+  for (const std::string& layer : kLayers)
+    for (const fs::path& file : sourcesOf(kRoot / layer)) {
+      if (file.extension() != ".h")
+        continue;
+      const std::string header = nameOf(file);
+      if (headersWithoutTest().count(header)) {
+        unused.erase(header);
+        continue;
+      }
+      const fs::path test =
+          kRoot / "tests" / fs::path(header).parent_path() / (file.stem().string() + "_test.cpp");
+      EXPECT_TRUE(fs::exists(test)) << header << " has no " << nameOf(test);
+    }
+  for (const std::string& header : unused)
+    ADD_FAILURE() << header << " is listed as an exception but does not exist";
+}
+
+TEST(Architecture, EveryTestFileHasItsHeader) {
+  for (const std::string& layer : kLayers) {
+    if (!fs::exists(kRoot / "tests" / layer))
+      continue;
+    for (const fs::path& file : sourcesOf(kRoot / "tests" / layer)) {
+      std::string stem = file.stem().string();
+      if (stem.size() < 5 || stem.substr(stem.size() - 5) != "_test")
+        continue;
+      stem.resize(stem.size() - 5);
+      const fs::path folder = fs::relative(file.parent_path(), kRoot / "tests");
+      EXPECT_TRUE(fs::exists(kRoot / folder / (stem + ".h"))) << nameOf(file) << " mirrors no header";
+    }
+  }
+}
+
+} // namespace

@@ -1,0 +1,47 @@
+# Run by ctest: see CMakeLists.txt. Fails at the first command that fails.
+function(run)
+  execute_process(COMMAND ${ARGV} RESULT_VARIABLE result OUTPUT_VARIABLE output ERROR_VARIABLE output)
+  if(NOT result EQUAL 0)
+    string(REPLACE ";" " " command "${ARGV}")
+    message(FATAL_ERROR "${command}\n${output}\nended with ${result}")
+  endif()
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+
+function(expect_same text)
+  if(NOT output STREQUAL text)
+    message(FATAL_ERROR "expected\n${text}\nbut got\n${output}")
+  endif()
+endfunction()
+
+file(REMOVE_RECURSE ${SCRATCH})
+# Installed in one place and moved to another: the package must not know where it was built.
+run(${CMAKE_COMMAND} --install ${BUILD} --prefix ${SCRATCH}/first)
+file(RENAME ${SCRATCH}/first ${SCRATCH}/prefix)
+set(ENV{LD_LIBRARY_PATH})
+
+run(${CMAKE_COMMAND} -S ${SOURCE}/consumer -B ${SCRATCH}/cmake -D CMAKE_PREFIX_PATH=${SCRATCH}/prefix
+    -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_BUILD_TYPE=Release)
+run(${CMAKE_COMMAND} --build ${SCRATCH}/cmake)
+run(${SCRATCH}/cmake/heights)
+set(heights "${output}")
+run(${SCRATCH}/cmake/scene)
+set(scene "${output}")
+message(STATUS "find_package: ${heights}${scene}")
+
+find_program(PKG_CONFIG NAMES pkg-config pkgconf REQUIRED)
+set(ENV{PKG_CONFIG_PATH} ${SCRATCH}/prefix/${LIBDIR}/pkgconfig)
+function(build_with_pkg_config package program)
+  run(${PKG_CONFIG} --cflags --libs ${package})
+  separate_arguments(flags UNIX_COMMAND "${output}")
+  run(${CXX} -std=c++17 ${SOURCE}/consumer/${program}.cpp -o ${SCRATCH}/${program} ${flags}
+      -Wl,-rpath,${SCRATCH}/prefix/${LIBDIR})
+  run(${SCRATCH}/${program})
+  set(output "${output}" PARENT_SCOPE)
+endfunction()
+build_with_pkg_config(terrane-patchdb heights)
+expect_same("${heights}")
+build_with_pkg_config(terrane scene)
+expect_same("${scene}")
+run(${PKG_CONFIG} --modversion terrane)
+expect_same("${VERSION}\n")
