@@ -1,6 +1,7 @@
 #include "generators/TeBuiltInGenerators.h"
 
 #include "generators/TeGeneratorRegistry.h"
+#include "generators/faults/TeFaultGenerator.h"
 
 namespace {
 
@@ -18,4 +19,6 @@ template <class Filter> void filter(TeGeneratorRegistry& registry, const char* h
 
 } // namespace
 
-void teAddBuiltInGenerators(TeGeneratorRegistry& registry) {}
+void teAddBuiltInGenerators(TeGeneratorRegistry& registry) {
+  generator<TeFaultGenerator>(registry, "fault formation: lines through the map, one side of each rises");
+}
