@@ -43,3 +43,26 @@ function(terrane_module name)
   target_link_libraries(${name} PRIVATE $<BUILD_INTERFACE:terrane_options>)
   install(TARGETS ${name} LIBRARY DESTINATION ${TERRANE_MODULE_INSTALL_DIR})
 endfunction()
+
+# terrane_app(name sources...): an application whose OpenGL is chosen when it starts. bin/<name> is a launcher
+# that links neither OpenGL nor Coin; it loads OSMesa first if --context asks for it, then app-<name>.so with
+# the sources, which define `extern "C" int teMain(int argc, char** argv)`. Link libraries and options go to
+# the target app-<name>. NO_INSTALL after the name keeps it in the build tree (tests).
+function(terrane_app name)
+  cmake_parse_arguments(APP "NO_INSTALL" "" "" ${ARGN})
+  add_library(app-${name} MODULE ${APP_UNPARSED_ARGUMENTS})
+  set_target_properties(app-${name} PROPERTIES
+    LIBRARY_OUTPUT_DIRECTORY ${TERRANE_MODULE_OUTPUT_DIRECTORY} PREFIX "" INSTALL_RPATH "$ORIGIN/..")
+  target_link_libraries(app-${name} PRIVATE terrane_options)
+  add_executable(${name} ${CMAKE_SOURCE_DIR}/apps/common/launcher.cpp)
+  target_compile_definitions(${name} PRIVATE TERRANE_APP="${name}" TERRANE_BIN_TO_LIB="${TERRANE_BIN_TO_LIB}")
+  target_link_libraries(${name} PRIVATE terrane_options ${CMAKE_DL_LIBS})
+  add_dependencies(${name} app-${name} context-egl context-osmesa osmesa-shim)
+  if(TARGET context-window)
+    add_dependencies(${name} context-window)
+  endif()
+  if(NOT APP_NO_INSTALL)
+    install(TARGETS ${name} RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+    install(TARGETS app-${name} LIBRARY DESTINATION ${TERRANE_MODULE_INSTALL_DIR})
+  endif()
+endfunction()

@@ -1,3 +1,11 @@
 #include "nodes/TeNodes.h"
 
-void TeNodes::init() {}
+#include <Inventor/SoDB.h>
+#include <Inventor/SoInteraction.h>
+#include <Inventor/nodekits/SoNodeKit.h>
+
+void TeNodes::init() {
+  SoDB::init();
+  SoNodeKit::init();
+  SoInteraction::init();
+}

@@ -1,6 +1,6 @@
 #pragma once
 
-/// Registers all of Terrane's nodes and details with Coin (after SoDB::init()); may be called again.
+/// Makes Coin ready and registers all of Terrane's nodes and details with it; may be called again.
 class TeNodes {
 public:
   static void init();

@@ -1,0 +1,55 @@
+#pragma once
+
+#include "nodes/TePicture.h"
+#include "nodes/context/TeContext.h"
+
+#include <Inventor/SbColor.h>
+#include <Inventor/actions/SoGLRenderAction.h>
+
+#include <memory>
+
+class SoNode;
+
+/// Draws Coin scenes into pictures, in a framebuffer of its own, in any context.
+///
+/// The renderer must be destroyed before its context. Everything happens on the context's thread.
+class TeSceneRenderer {
+public:
+  /// `samples` per pixel smooth the edges (1 = none); as many as OpenGL allows are taken. Error: a size out
+  /// of range, a framebuffer that OpenGL refuses.
+  static TeResult<std::unique_ptr<TeSceneRenderer>> create(TeContext& context, int width, int height,
+                                                           int samples = 1);
+  ~TeSceneRenderer();
+  TeSceneRenderer(const TeSceneRenderer&) = delete;
+  TeSceneRenderer& operator=(const TeSceneRenderer&) = delete;
+
+  void setBackground(const SbColor& colour) { m_background = colour; }
+  /// For settings such as the kind of transparency.
+  SoGLRenderAction& action() { return m_action; }
+
+  /// Draws one frame: near and far planes come from the scene's bounding box (teFitClipPlanes). Error: no
+  /// camera in the scene, an OpenGL error while drawing.
+  TeStatus draw(SoNode* scene);
+  /// Draws one frame and reads it.
+  TeResult<TePicture> render(SoNode* scene);
+
+private:
+  /// A framebuffer with colour and depth.
+  struct Target {
+    GLuint framebuffer = 0;
+    GLuint colour = 0;
+    GLuint depth = 0;
+  };
+
+  TeSceneRenderer(TeContext& context, int width, int height);
+  TeStatus createTarget(Target& target, int samples);
+  void destroyTarget(Target& target);
+
+  TeContext& m_context;
+  int m_width;
+  int m_height;
+  SbColor m_background{0.53f, 0.72f, 0.9f};
+  SoGLRenderAction m_action;
+  Target m_target;
+  Target m_resolved; ///< of one sample; only if m_target has more
+};
