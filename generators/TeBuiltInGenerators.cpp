@@ -2,6 +2,7 @@
 
 #include "generators/TeGeneratorRegistry.h"
 #include "generators/faults/TeFaultGenerator.h"
+#include "generators/function/TeFunctionGenerator.h"
 
 namespace {
 
