@@ -40,32 +40,40 @@ void TeFaultJob::drawFaults() {
 void TeFaultJob::beginStrip(int first) {
   m_stripFirst = first;
   m_stripWidth = std::min(TeFaultSweep::kMaxStrip, m_request.columns - first);
-  m_row = 0;
+  if (m_stripWidth == 0)
+    return;
+  m_maxBandRows = m_sweep.beginStrip(first, m_stripWidth);
+  m_sums.resize(std::size_t(m_stripWidth));
+  beginBand(0);
+}
+
+void TeFaultJob::beginBand(int first) {
+  m_bandFirst = first;
+  m_bandRows = std::min(m_maxBandRows, m_request.rows - first);
+  m_bandRow = 0;
   m_knot = 0;
-  if (m_stripWidth > 0)
-    m_sweep.setStrip(first, m_stripWidth);
-  m_sums.resize(std::size_t(std::max(m_stripWidth, 0)));
 }
 
 std::int64_t TeFaultJob::sweep() {
   if (m_knot < m_sweep.knots()) {
-    const std::size_t end = std::min<std::size_t>(m_knot + kWorkPerUnit, m_sweep.knots());
-    const std::int64_t work = std::int64_t(end - m_knot);
-    if (m_row == 0)
-      m_sweep.place(m_knot, end, m_row);
-    else
-      m_sweep.advance(m_knot, end);
+    const std::size_t count = std::size_t(std::max<std::int64_t>(1, kWorkPerUnit / 4 / m_bandRows));
+    const std::size_t end = std::min(m_knot + count, m_sweep.knots());
+    m_sweep.addKnots(m_knot, end, m_bandRows);
+    const std::int64_t work = std::int64_t(end - m_knot) * m_bandRows;
     m_knot = end;
     return work;
   }
-  m_sweep.finishRow(m_sums.data());
-  float* const heights = m_map.row(m_row) + m_stripFirst;
+  m_sweep.finishRow(m_bandRow, m_sums.data());
+  float* const heights = m_map.row(m_bandFirst + m_bandRow) + m_stripFirst;
   for (int c = 0; c < m_stripWidth; ++c)
     heights[c] = m_source->height(m_sums[std::size_t(c)]);
   const std::int64_t work = m_stripWidth;
-  ++m_row;
-  m_knot = 0;
-  if (m_row == m_request.rows)
-    beginStrip(m_stripFirst + m_stripWidth);
+  if (++m_bandRow == m_bandRows) {
+    m_sweep.nextBand();
+    if (m_bandFirst + m_bandRows == m_request.rows)
+      beginStrip(m_stripFirst + m_stripWidth);
+    else
+      beginBand(m_bandFirst + m_bandRows);
+  }
   return work;
 }

@@ -12,7 +12,6 @@ void TeFaultSweep::add(const TeFaultPlane& fault) {
   Knot knot{};
   knot.origin = fault.origin;
   knot.east = fault.east;
-  knot.north = fault.north;
   knot.weight = fault.weight;
   knot.columnStep = floorDivide(fault.north, fault.east);
   knot.excessStep = fault.north - knot.columnStep * fault.east;
@@ -30,74 +29,84 @@ void TeFaultSweep::add(const TeFaultPlane& fault) {
   m_knots.push_back(knot);
 }
 
-void TeFaultSweep::setStrip(std::int64_t first, int width) {
+int TeFaultSweep::beginStrip(std::int64_t first, int width) {
   m_first = first;
   m_width = width;
-  m_differences.assign(std::size_t(width) + 2, 0);
+  m_stride = std::size_t(width) + 2;
+  m_placed = false;
+  const int rows = std::max(1, kBandSamples / width);
+  m_differences.assign(m_stride * std::size_t(rows), 0);
+  return rows;
 }
 
-// In the array of differences entry `width` and the one after it take what falls behind the last column.
-inline void TeFaultSweep::deposit(const Knot& knot) {
-  if (knot.column >= m_width)
-    return;
-  const std::int64_t column = std::max<std::int64_t>(knot.column, 0);
-  std::uint64_t* const at = m_differences.data() + column;
-  if (!m_smooth) {
-    at[0] += std::uint64_t(knot.weight);
-    return;
+void TeFaultSweep::addKnots(std::size_t begin, std::size_t end, int rows) {
+  for (std::size_t i = begin; i < end; ++i) {
+    Knot& knot = m_knots[i];
+    if (!m_placed) {
+      const std::int64_t value = knot.origin + knot.east * m_first;
+      knot.column = floorDivide(-value, knot.east) + 1;
+      knot.excess = value + knot.east * knot.column;
+    }
+    if (m_smooth)
+      addParabolas(knot, rows);
+    else
+      addSteps(knot, rows);
   }
-  // Third differences of v², (v+e)², (v+2e)² … that begin after zeros; the fourth and later ones vanish.
+}
+
+void TeFaultSweep::addSteps(Knot& stored, int rows) {
+  Knot knot = stored;
+  const std::int64_t width = m_width;
+  std::uint64_t* row = m_differences.data();
+  for (int r = 0; r < rows; ++r, row += m_stride) {
+    row[std::clamp<std::int64_t>(knot.column, 0, width)] += std::uint64_t(knot.weight);
+    knot.nextRow();
+  }
+  stored = knot;
+}
+
+void TeFaultSweep::addParabolas(Knot& stored, int rows) {
+  Knot knot = stored;
+  const std::int64_t width = m_width;
   const std::uint64_t weight = std::uint64_t(knot.weight);
   const std::uint64_t east = std::uint64_t(knot.east);
-  const std::uint64_t v = std::uint64_t(knot.excess) + east * std::uint64_t(column - knot.column);
-  const std::uint64_t square = weight * v * v;
-  const std::uint64_t cross = 2 * weight * v * east;
   const std::uint64_t eastSquare = weight * east * east;
-  at[0] += square;
-  at[1] += cross + eastSquare - 2 * square;
-  at[2] += square - cross + eastSquare;
-}
-
-void TeFaultSweep::place(std::size_t begin, std::size_t end, std::int64_t row) {
-  for (std::size_t i = begin; i < end; ++i) {
-    Knot& knot = m_knots[i];
-    const std::int64_t value = knot.origin + knot.east * m_first + knot.north * row;
-    knot.column = floorDivide(-value, knot.east) + 1;
-    knot.excess = value + knot.east * knot.column;
-    deposit(knot);
-  }
-}
-
-void TeFaultSweep::advance(std::size_t begin, std::size_t end) {
-  for (std::size_t i = begin; i < end; ++i) {
-    Knot& knot = m_knots[i];
-    knot.column -= knot.columnStep;
-    knot.excess += knot.excessStep;
-    if (knot.excess > knot.east) {
-      knot.excess -= knot.east;
-      --knot.column;
+  std::uint64_t* row = m_differences.data();
+  for (int r = 0; r < rows; ++r, row += m_stride) {
+    if (knot.column < width) {
+      // Third differences of v², (v+e)², (v+2e)² … that begin after zeros; from the fourth on they vanish.
+      const std::int64_t column = std::max<std::int64_t>(knot.column, 0);
+      const std::uint64_t v = std::uint64_t(knot.excess) + east * std::uint64_t(column - knot.column);
+      const std::uint64_t square = weight * v * v;
+      const std::uint64_t cross = 2 * weight * v * east;
+      row[column] += square;
+      row[column + 1] += cross + eastSquare - 2 * square;
+      row[column + 2] += square - cross + eastSquare;
     }
-    deposit(knot);
+    knot.nextRow();
   }
+  stored = knot;
 }
 
-void TeFaultSweep::finishRow(std::int64_t* sums) {
+void TeFaultSweep::finishRow(int row, std::int64_t* sums) {
+  std::uint64_t* const differences = m_differences.data() + m_stride * std::size_t(row);
+  const int width = m_width;
+  const std::uint64_t base = m_base;
   std::uint64_t height = 0;
+  std::uint64_t slope = 0;
+  std::uint64_t bend = 0;
   if (m_smooth) {
-    std::uint64_t slope = 0;
-    std::uint64_t bend = 0;
-    for (int c = 0; c < m_width; ++c) {
-      bend += m_differences[std::size_t(c)];
+    for (int c = 0; c < width; ++c) {
+      bend += differences[c];
       slope += bend;
       height += slope;
-      sums[c] = std::int64_t(height + m_base);
+      sums[c] = std::int64_t(height + base);
     }
   } else {
-    height = m_base;
-    for (int c = 0; c < m_width; ++c) {
-      height += m_differences[std::size_t(c)];
-      sums[c] = std::int64_t(height);
+    for (int c = 0; c < width; ++c) {
+      height += differences[c];
+      sums[c] = std::int64_t(height + base);
     }
   }
-  std::fill(m_differences.begin(), m_differences.end(), 0);
+  std::fill(differences, differences + m_stride, 0);
 }
