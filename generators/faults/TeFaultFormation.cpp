@@ -2,7 +2,6 @@
 
 #include "generators/base/TeFloatEnvironment.h"
 #include "generators/base/TeHash.h"
-#include "generators/base/TeRandom.h"
 #include "generators/faults/TeFaultJob.h"
 
 #include <algorithm>
@@ -57,9 +56,11 @@ TeFaultFormation::TeFaultFormation(TeFaultParameters parameters)
     m_level = m_smooth ? total * (TeFaultPlane::kRampFull / 2) : total;
 }
 
-TeFaultLine TeFaultFormation::line(const TeMapRequest& request, int fault) const {
-  const TeRandom random(request.worldSeed, teHashCombine(teHashText("faults"), m_parameters.seed),
-                        request.key);
+TeRandom TeFaultFormation::random(const TeMapRequest& request) const {
+  return TeRandom(request.worldSeed, teHashCombine(teHashText("faults"), m_parameters.seed), request.key);
+}
+
+TeFaultLine TeFaultFormation::line(const TeMapRequest& request, const TeRandom& random, int fault) const {
   const std::uint64_t a = random.at(2 * std::uint64_t(fault));
   const std::uint64_t b = random.at(2 * std::uint64_t(fault) + 1);
   const std::int64_t width = std::int64_t(request.columns) * 256;
@@ -79,10 +80,18 @@ double TeFaultFormation::rampWidth(int fault, double spacing) const {
   return std::clamp(m_parameters.width * relative / spacing, kMinRamp, kMaxRamp);
 }
 
-TeFaultPlane TeFaultFormation::plane(const TeMapRequest& request, int fault) const {
+TeFaultPlane TeFaultFormation::plane(const TeMapRequest& request, const TeRandom& random, int fault) const {
   if (m_smooth)
-    return TeFaultPlane::smooth(line(request, fault), amplitude(fault), rampWidth(fault, request.spacing));
-  return TeFaultPlane::step(line(request, fault), 2 * amplitude(fault));
+    return TeFaultPlane::smooth(line(request, random, fault), amplitude(fault),
+                                rampWidth(fault, request.spacing));
+  return TeFaultPlane::step(line(request, random, fault), 2 * amplitude(fault));
+}
+
+void TeFaultFormation::heights(const std::int64_t* sums, std::size_t count, float* metres) const {
+  const std::int64_t level = m_level;
+  const float unit = m_sumUnit;
+  for (std::size_t i = 0; i < count; ++i)
+    metres[i] = float(sums[i] - level) * unit;
 }
 
 std::unique_ptr<TeHeightJob> TeFaultFormation::start(const TeMapRequest& request) const {
@@ -93,17 +102,17 @@ std::unique_ptr<TeHeightJob> TeFaultFormation::start(const TeMapRequest& request
 TeStatus TeFaultFormation::evaluate(const TeMapRequest& request, const TeMapSample* samples,
                                     std::size_t count, float* heights) const {
   const TeFloatEnvironment environment;
+  const TeRandom stream = random(request);
   std::vector<std::int64_t> sums(count, 0);
   const std::int64_t full = m_smooth ? TeFaultPlane::kRampFull : 1;
   for (int fault = 0; fault < faults(); ++fault) {
-    const TeFaultPlane p = plane(request, fault);
+    const TeFaultPlane p = plane(request, stream, fault);
     const std::int64_t base = p.base * full;
     for (std::size_t i = 0; i < count; ++i) {
       const std::int64_t value = p.value(samples[i].column, samples[i].row);
       sums[i] += base + (m_smooth ? p.smoothHeight(value) : p.stepHeight(value));
     }
   }
-  for (std::size_t i = 0; i < count; ++i)
-    heights[i] = height(sums[i]);
+  this->heights(sums.data(), count, heights);
   return {};
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "generators/TeHeightSource.h"
+#include "generators/base/TeRandom.h"
 #include "generators/faults/TeFaultParameters.h"
 #include "generators/faults/TeFaultPlane.h"
 
@@ -32,18 +33,20 @@ public:
   int faults() const { return int(m_amplitudes.size()); }
   bool isSmooth() const { return m_smooth; }
 
+  /// The random stream that a map's faults are drawn from.
+  TeRandom random(const TeMapRequest& request) const;
   /// Line of fault 0 .. faults()-1 in a map. Its points are uniform over the cells of the map's samples; if
   /// both have the same y (also if they coincide), b is moved 1/256 of a sample north.
-  TeFaultLine line(const TeMapRequest& request, int fault) const;
+  TeFaultLine line(const TeMapRequest& request, const TeRandom& random, int fault) const;
   /// The amount by which a fault raises, in units of unit(); the sum over all faults is at most 2^24 + N/2.
   std::int64_t amplitude(int fault) const { return m_amplitudes[std::size_t(fault)]; }
   /// Metres, a power of two.
   double unit() const { return m_unit; }
   /// Samples across a fault's ramp in a map of this spacing.
   double rampWidth(int fault, double spacing) const;
-  TeFaultPlane plane(const TeMapRequest& request, int fault) const;
-  /// Metres, from the sum of the heights of all faults in a sample, bases included; rounded once.
-  float height(std::int64_t sum) const { return float(sum - m_level) * m_sumUnit; }
+  TeFaultPlane plane(const TeMapRequest& request, const TeRandom& random, int fault) const;
+  /// Metres, from the sums of the heights of all faults in samples, bases included; each rounded once.
+  void heights(const std::int64_t* sums, std::size_t count, float* metres) const;
 
 private:
   explicit TeFaultFormation(TeFaultParameters parameters);

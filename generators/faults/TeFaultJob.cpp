@@ -11,7 +11,8 @@ constexpr std::int64_t kWorkPerUnit = 16384;
 } // namespace
 
 TeFaultJob::TeFaultJob(std::shared_ptr<const TeFaultFormation> source, const TeMapRequest& request)
-    : m_source(std::move(source)), m_request(request), m_sweep(m_source->isSmooth()) {}
+    : m_source(std::move(source)), m_request(request), m_random(m_source->random(request)),
+      m_sweep(m_source->isSmooth()) {}
 
 TeProgress TeFaultJob::unit() {
   if (m_map.empty()) {
@@ -34,7 +35,7 @@ TeProgress TeFaultJob::unit() {
 void TeFaultJob::drawFaults() {
   const int end = std::min(m_drawn + kFaultsPerUnit, m_source->faults());
   for (; m_drawn < end; ++m_drawn)
-    m_sweep.add(m_source->plane(m_request, m_drawn));
+    m_sweep.add(m_source->plane(m_request, m_random, m_drawn));
 }
 
 void TeFaultJob::beginStrip(int first) {
@@ -65,8 +66,7 @@ std::int64_t TeFaultJob::sweep() {
   }
   m_sweep.finishRow(m_bandRow, m_sums.data());
   float* const heights = m_map.row(m_bandFirst + m_bandRow) + m_stripFirst;
-  for (int c = 0; c < m_stripWidth; ++c)
-    heights[c] = m_source->height(m_sums[std::size_t(c)]);
+  m_source->heights(m_sums.data(), std::size_t(m_stripWidth), heights);
   const std::int64_t work = m_stripWidth;
   if (++m_bandRow == m_bandRows) {
     m_sweep.nextBand();

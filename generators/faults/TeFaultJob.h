@@ -22,6 +22,7 @@ private:
 
   std::shared_ptr<const TeFaultFormation> m_source;
   TeMapRequest m_request;
+  TeRandom m_random;
   TeFaultSweep m_sweep;
   int m_drawn = 0;
   int m_stripFirst = 0;

@@ -30,7 +30,7 @@ TeHeightMap plainLoop(const TeFaultFormation& source, const TeMapRequest& reques
   std::vector<std::int64_t> units(samples, 0);
   std::int64_t all = 0;
   for (int f = 0; f < source.faults(); ++f) {
-    const TeFaultLine line = source.line(request, f);
+    const TeFaultLine line = source.line(request, source.random(request), f);
     const std::int64_t dx = line.bx - line.ax;
     const std::int64_t dy = line.by - line.ay;
     all += source.amplitude(f);
@@ -55,10 +55,10 @@ TeHeightMap plainSmoothLoop(const TeFaultFormation& source, const TeMapRequest& 
     for (int c = 0; c < request.columns; ++c) {
       std::int64_t sum = 0;
       for (int f = 0; f < source.faults(); ++f) {
-        const TeFaultPlane plane = source.plane(request, f);
+        const TeFaultPlane plane = source.plane(request, source.random(request), f);
         sum += plane.smoothHeight(plane.value(c, r)) + plane.base * TeFaultPlane::kRampFull;
       }
-      map.at(c, r) = source.height(sum);
+      source.heights(&sum, 1, &map.at(c, r));
     }
   return map;
 }
@@ -157,7 +157,7 @@ TEST(TeFaultFormation, SmoothFaultsRiseAcrossTheGivenWidth) {
   for (int k = 0; k < 20; ++k) {
     const TeMapRequest request = mapOf(65, 65, {k, k});
     const TeHeightMap map = *source->generate(request);
-    const TeFaultLine line = source->line(request, 0);
+    const TeFaultLine line = source->line(request, source->random(request), 0);
     const double dx = double(line.bx - line.ax), dy = double(line.by - line.ay);
     for (int r = 0; r < 65; ++r)
       for (int c = 0; c < 65; ++c) {
@@ -215,7 +215,7 @@ TEST(TeFaultFormation, CoincidentAndLevelPointsMakeALine) {
   const Source source = make("step", 5000);
   const TeMapRequest request = mapOf(1, 1); // 256 x 256 possible points: 5000 faults meet many level pairs
   for (int f = 0; f < source->faults(); ++f) {
-    const TeFaultLine line = source->line(request, f);
+    const TeFaultLine line = source->line(request, source->random(request), f);
     ASSERT_NE(line.ay, line.by);
   }
   EXPECT_EQ(*source->generate(request), plainLoop(*source, request));
