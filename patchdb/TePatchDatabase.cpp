@@ -1,0 +1,116 @@
+#include "patchdb/TePatchDatabase.h"
+
+#include "patchdb/TeFourMapBlend.h"
+#include "patchdb/TeMeshBuilder.h"
+#include "patchdb/TePatchJob.h"
+#include "patchdb/TeSeamBuilder.h"
+
+TeResult<std::unique_ptr<TePatchDatabase>> TePatchDatabase::create(TeWorld world) {
+  if (!world.sources)
+    return TeError{"world: no source of heights given"};
+  const double spacing = world.lattice.spacing();
+  if (!(spacing >= kMinSpacing && spacing <= kMaxSpacing))
+    return TeError{"spacing: " + std::to_string(spacing) + " m is not within " +
+                   std::to_string(kMinSpacing) + " to " + std::to_string(kMaxSpacing)};
+  return std::unique_ptr<TePatchDatabase>(new TePatchDatabase(std::move(world)));
+}
+
+TeStatus TePatchDatabase::setSources(std::shared_ptr<const TeSourceChooser> sources) {
+  if (!sources)
+    return TeError{"world: no source of heights given"};
+  m_world.sources = std::move(sources);
+  return {};
+}
+
+TeResult<TePatchData*> TePatchDatabase::lookup(const TePatchKey& key, TeLookup strategy) {
+  return m_tree.lookup(key, strategy);
+}
+
+bool TePatchDatabase::remove(const TePatchKey& key) {
+  m_surface.forget();
+  return m_tree.remove(key);
+}
+
+TeStatus TePatchDatabase::prepareBuildMaps(TePatchData& patch) {
+  if (patch.key().level != 0)
+    return TeError{"patch " + patch.key().text() + ": only patches of level 0 are made from source maps"};
+  std::array<TeSourceMapPtr, 4> maps;
+  for (int corner = 0; corner < 4; ++corner) {
+    TeMapJob job(*this, TePatchJob::mapKey(patch.key(), corner));
+    TeAllowance all = TeAllowance::unlimited();
+    if (job.step(all) == TeProgress::Failed)
+      return TeError{"patch " + patch.key().text() + ": " + job.error().message};
+    maps[std::size_t(corner)] = job.map();
+  }
+  patch.setMaps(std::move(maps));
+  return {};
+}
+
+TeStatus TePatchDatabase::buildHeights(TePatchData& patch) {
+  if (!patch.hasMaps())
+    return TeError{"patch " + patch.key().text() + ": its source maps were not prepared"};
+  const int side = lattice().cells() + 1;
+  TeResult<TeHeightMap> heights = TeHeightMap::create(side, side);
+  if (!heights)
+    return heights.error();
+  TeFourMapBlend(patch.map(0)->heights, patch.map(1)->heights, patch.map(2)->heights, patch.map(3)->heights,
+                 *heights)
+      .finish();
+  patch.setHeights(std::move(*heights));
+  return {};
+}
+
+TeResult<TePatchData*> TePatchDatabase::build(const TePatchKey& key) {
+  if (TePatchData* known = find(key); known && known->hasHeights())
+    return known;
+  TePatchJob job(*this, key);
+  if (job.finish() == TeProgress::Failed)
+    return job.error();
+  return find(key);
+}
+
+TeResult<TePatchMesh> TePatchDatabase::patchMesh(const TePatchData& patch) const {
+  if (!patch.hasHeights())
+    return TeError{"patch " + patch.key().text() + ": has no heights yet"};
+  TePatchMesh mesh;
+  mesh.key = patch.key();
+  const int cells = lattice().cells();
+  TeMeshBlock block;
+  block.heights = patch.heights().row(1) + 1;
+  block.stride = cells + 1;
+  block.columns = block.rows = cells - 1;
+  block.missing = patch.hasMissing();
+  const std::int64_t step = std::int64_t(1) << patch.key().level;
+  block.first = tePatchFirstSample(lattice(), patch.key()) + step;
+  teBuildMesh(lattice(), block, mesh);
+  return mesh;
+}
+
+TeResult<TePatchMesh> TePatchDatabase::seamMesh(const TePatchData& patch, TeDirection direction) const {
+  return teBuildSeam(lattice(), patch, direction);
+}
+
+TeResult<TePatchMeshPtr> TePatchDatabase::seam(TePatchData& patch, TeDirection direction) {
+  if (!patch.seam(direction)) {
+    TeResult<TePatchMesh> mesh = seamMesh(patch, direction);
+    if (!mesh)
+      return mesh.error();
+    patch.shareSeam(direction, std::make_shared<const TePatchMesh>(std::move(*mesh)));
+  }
+  return patch.seam(direction);
+}
+
+std::optional<double> TePatchDatabase::heightAt(glm::dvec2 point) const { return m_surface.heightAt(point); }
+
+std::optional<glm::dvec3> TePatchDatabase::normalAt(glm::dvec2 point) const {
+  return m_surface.normalAt(point);
+}
+
+std::optional<TeSurfacePoint> TePatchDatabase::surfaceAt(glm::dvec2 point) const {
+  return m_surface.pointAt(point);
+}
+
+std::optional<TeRayHit> TePatchDatabase::intersect(glm::dvec3 origin, glm::dvec3 direction,
+                                                   double maxDistance) const {
+  return m_surface.intersect(origin, direction, maxDistance);
+}

@@ -1,0 +1,92 @@
+#pragma once
+
+#include "generators/TeSourceChooser.h"
+#include "patchdb/TeMapStore.h"
+#include "patchdb/TePatchData.h"
+#include "patchdb/TePatchMesh.h"
+#include "patchdb/TePatchTree.h"
+#include "patchdb/TeSurface.h"
+
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+
+#include <memory>
+#include <optional>
+
+/// What the world is made of.
+struct TeWorld {
+  TeLattice lattice;
+  std::uint64_t seed = 0;
+  std::shared_ptr<const TeSourceChooser> sources;
+};
+
+/// All known terrain: source maps, patches, seams, each in memory once, found through growing quadtrees.
+///
+/// Queries use the one surface that is drawn: samples joined by triangles, each cell split along its SW-NE
+/// diagonal. They answer *none* where no patch with heights is known or a corner of the cell is missing.
+/// The borders of known patches belong to the surface.
+/// Not thread-safe except for concurrent const calls.
+class TePatchDatabase {
+public:
+  static constexpr double kMinSpacing = 1e-6; ///< metres
+  static constexpr double kMaxSpacing = 1e6;
+
+  /// Error: no chooser, or a spacing outside kMinSpacing .. kMaxSpacing. Whether a source accepts the lattice
+  /// is checked when a map is made.
+  static TeResult<std::unique_ptr<TePatchDatabase>> create(TeWorld world);
+
+  const TeWorld& world() const { return m_world; }
+  const TeLattice& lattice() const { return m_world.lattice; }
+  /// Replaces the sources for maps that were never begun; all others keep theirs (see TeMapStore).
+  TeStatus setSources(std::shared_ptr<const TeSourceChooser> sources);
+
+  /// The record of a patch by strategy: create it, the nearest coarser one known (null if there is none), or
+  /// null. Error for an invalid key.
+  TeResult<TePatchData*> lookup(const TePatchKey& key, TeLookup strategy);
+  const TePatchData* find(const TePatchKey& key) const { return m_tree.find(key); }
+  TePatchData* find(const TePatchKey& key) { return m_tree.find(key); }
+  /// Forgets a patch with its seams, and source maps that no other patch holds. False if it was not known.
+  bool remove(const TePatchKey& key);
+  const TePatchTree& tree() const { return m_tree; }
+
+  /// The source that a map is made with, from now on for ever (see TeMapStore).
+  TeResult<TeHeightSourcePtr> mapSource(TeMapKey key) { return m_maps.source(key, *m_world.sources); }
+  const TeMapStore& maps() const { return m_maps; }
+  /// Stores a map that mapSource() has made, or finds it.
+  TeSourceMapPtr addMap(TeMapKey key, TeHeightMap heights) { return m_maps.add(key, std::move(heights)); }
+
+  /// Makes (or finds) the four source maps of a base patch; at once. TePatchJob does it in slices.
+  TeStatus prepareBuildMaps(TePatchData& patch);
+  /// Blends the patch's heights from its source maps; error: maps missing.
+  TeStatus buildHeights(TePatchData& patch);
+  /// Both, creating the record: the patch is ready to be drawn. A patch with heights is left as it is.
+  /// Error: the key is invalid or not of the base level, or a source failed.
+  TeResult<TePatchData*> build(const TePatchKey& key);
+  /// The patch's inside as a mesh: cells 1 .. n-2 of each side. Error: no heights.
+  TeResult<TePatchMesh> patchMesh(const TePatchData& patch) const;
+  /// The seam (E, N, W, S) or corner square (NE, NW, SW, SE) in a direction; the same mesh whichever of the
+  /// patches that meet there is asked. Error: a patch that takes part has no heights; the message names it.
+  TeResult<TePatchMesh> seamMesh(const TePatchData& patch, TeDirection direction) const;
+  /// The same, made once and kept by the patches that meet there until one of them changes or goes.
+  TeResult<TePatchMeshPtr> seam(TePatchData& patch, TeDirection direction);
+
+  /// Height of the surface; at samples exactly the sample's float. Cost: tens of ns (docs/patch-tree.md).
+  std::optional<double> heightAt(glm::dvec2 point) const;
+  /// Unit normal of the triangle below or above the point (of one of them on an edge).
+  std::optional<glm::dvec3> normalAt(glm::dvec2 point) const;
+  /// First hit of the ray with the surface of the base patches, from above or below, at a distance within
+  /// [0, maxDistance] (in units of the direction's length, which need not be 1; infinity is allowed). None
+  /// also for arguments that are not numbers and a direction of length 0. Visits known patches only.
+  std::optional<TeRayHit> intersect(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const;
+
+  /// Height from the finest known patch, and how far the base level may differ from it.
+  std::optional<TeSurfacePoint> surfaceAt(glm::dvec2 point) const;
+
+private:
+  explicit TePatchDatabase(TeWorld world) : m_world(std::move(world)) {}
+
+  TeWorld m_world;
+  TeMapStore m_maps;
+  TePatchTree m_tree;
+  TeSurface m_surface{m_world.lattice, m_tree};
+};

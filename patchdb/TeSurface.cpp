@@ -1,0 +1,107 @@
+#include "patchdb/TeSurface.h"
+
+#include "patchdb/TeSurfaceRay.h"
+
+std::optional<double> TeSurface::heightAt(glm::dvec2 point) const {
+  Place place;
+  if (!locate(point, place))
+    return std::nullopt;
+  return place.cell.height(place.u, place.v);
+}
+
+std::optional<glm::dvec3> TeSurface::normalAt(glm::dvec2 point) const {
+  Place place;
+  if (!locate(point, place))
+    return std::nullopt;
+  const double spacing = m_lattice->spacing() * double(std::int64_t(1) << place.patch->key().level);
+  return place.cell.normal(place.u, place.v, spacing);
+}
+
+std::optional<TeSurfacePoint> TeSurface::pointAt(glm::dvec2 point) const {
+  Place place;
+  if (!locate(point, place))
+    return std::nullopt;
+  return TeSurfacePoint{place.cell.height(place.u, place.v), place.patch->key(), place.patch->deviation()};
+}
+
+// Vertical rays are point queries: they cross no grid line on which a march could move on.
+std::optional<TeRayHit> TeSurface::intersect(glm::dvec3 origin, glm::dvec3 direction,
+                                             double maxDistance) const {
+  if (direction.x != 0 || direction.y != 0)
+    return teMarchRay(*m_lattice, m_tree->level(0), origin, direction, maxDistance);
+  Place place;
+  if (!(direction.z != 0) || !locate({origin.x, origin.y}, place))
+    return std::nullopt;
+  const double height = place.cell.height(place.u, place.v);
+  const double distance = (height - origin.z) / direction.z;
+  if (!(distance >= 0 && distance <= maxDistance))
+    return std::nullopt;
+  const double spacing = m_lattice->spacing() * double(std::int64_t(1) << place.patch->key().level);
+  return TeRayHit{distance, {origin.x, origin.y, height}, place.cell.normal(place.u, place.v, spacing),
+                  place.patch->key()};
+}
+
+bool TeSurface::locate(glm::dvec2 point, Place& place) const {
+  const double limit = m_lattice->patchSide() * double(TeLattice::kMaxKey);
+  // Written so that a NaN fails.
+  if (!(std::fabs(point.x) < limit && std::fabs(point.y) < limit))
+    return false;
+  double u, v;
+  const std::int64_t x = m_lattice->sampleBelow(point.x, u);
+  const std::int64_t y = m_lattice->sampleBelow(point.y, v);
+  place.u = u;
+  place.v = v;
+  if (locateInCell(x, y, place))
+    return true;
+  // A point on a grid line also belongs to the cell on the other side, which may be known where this is not.
+  for (int south = 0; south <= (v == 0 ? 1 : 0); ++south)
+    for (int west = 0; west <= (u == 0 ? 1 : 0); ++west) {
+      place.u = u + west;
+      place.v = v + south;
+      if (west + south > 0 && locateInCell(x - west, y - south, place))
+        return true;
+    }
+  return false;
+}
+
+/// The cell of a patch that holds the base cell at a sample; place.u and .v lead from the base cell's corner.
+bool TeSurface::locateInCell(std::int64_t sampleX, std::int64_t sampleY, Place& place) const {
+  const TePatchData* patch = patchOf(sampleX, sampleY);
+  if (!patch)
+    return false;
+  const int level = patch->key().level;
+  const glm::vec<2, std::int64_t> first = tePatchFirstSample(*m_lattice, patch->key());
+  const std::int64_t x = sampleX - first.x;
+  const std::int64_t y = sampleY - first.y;
+  const TeHeightMap& heights = patch->heights();
+  place.cell = TeSurfaceCell::of(heights.row(int(y >> level)) + (x >> level), heights.width());
+  if (!place.cell.complete())
+    return false;
+  if (level > 0) {
+    const std::int64_t span = std::int64_t(1) << level;
+    place.u = (double(x & (span - 1)) + place.u) / double(span);
+    place.v = (double(y & (span - 1)) + place.v) / double(span);
+  }
+  place.patch = patch;
+  return true;
+}
+
+const TePatchData* TeSurface::patchOf(std::int64_t sampleX, std::int64_t sampleY) const {
+  const std::int64_t cells = m_lattice->cells();
+  const TePatchData* last = m_last.load(std::memory_order_acquire);
+  if (last && last->hasHeights()) {
+    const std::int64_t x = sampleX - last->key().x * cells;
+    const std::int64_t y = sampleY - last->key().y * cells;
+    if (x >= 0 && x < cells && y >= 0 && y < cells)
+      return last;
+  }
+  const auto patchAt = [cells](std::int64_t sample) {
+    const std::int64_t quotient = sample / cells;
+    return quotient * cells > sample ? quotient - 1 : quotient;
+  };
+  const TePatchKey key{patchAt(sampleX), patchAt(sampleY), 0};
+  const TePatchData* found = key.valid() ? m_tree->nearestWithHeights(key) : nullptr;
+  if (found && found->key().level == 0)
+    m_last.store(found, std::memory_order_release);
+  return found;
+}

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "patchdb/TePatchTree.h"
+#include "patchdb/TeRayHit.h"
+#include "patchdb/TeSurfaceCell.h"
+#include "patchdb/TeSurfacePoint.h"
+
+#include <atomic>
+#include <optional>
+
+/// Queries on the one surface of all known patches; see TePatchDatabase, which holds one. Looks at the tree
+/// and the lattice that it was made with. Const calls may run on several threads.
+class TeSurface {
+public:
+  TeSurface(const TeLattice& lattice, const TePatchTree& tree) : m_lattice(&lattice), m_tree(&tree) {}
+
+  std::optional<double> heightAt(glm::dvec2 point) const;
+  std::optional<glm::dvec3> normalAt(glm::dvec2 point) const;
+  std::optional<TeSurfacePoint> pointAt(glm::dvec2 point) const;
+  std::optional<TeRayHit> intersect(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const;
+
+  /// To be called before a patch is removed.
+  void forget() { m_last = nullptr; }
+
+private:
+  /// A point in a complete cell of a patch.
+  struct Place {
+    const TePatchData* patch = nullptr;
+    TeSurfaceCell cell;
+    double u = 0;
+    double v = 0;
+  };
+  bool locate(glm::dvec2 point, Place& place) const;
+  bool locateInCell(std::int64_t sampleX, std::int64_t sampleY, Place& place) const;
+  const TePatchData* patchOf(std::int64_t sampleX, std::int64_t sampleY) const;
+
+  const TeLattice* m_lattice;
+  const TePatchTree* m_tree;
+  mutable std::atomic<const TePatchData*> m_last{nullptr}; ///< answered last; the next query is often near
+};
