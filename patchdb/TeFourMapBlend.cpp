@@ -17,15 +17,17 @@ void blendInside(const float* southWest, const float* southEast, const float* no
       const double east = x;
       const double west = cells - x;
       out[x] = float((west * south * southWest[x] + east * south * southEast[x] +
-                      west * north * northWest[x] + east * north * northEast[x]) * scale);
+                      west * north * northWest[x] + east * north * northEast[x]) *
+                     scale);
     }
     return;
   }
   for (int x = 1; x < cells; ++x) {
     const double east = x;
     const double west = cells - x;
-    out[x] = float((west * south * southWest[x] + east * south * southEast[x] +
-                    west * north * northWest[x] + east * north * northEast[x]) / whole);
+    out[x] = float((west * south * southWest[x] + east * south * southEast[x] + west * north * northWest[x] +
+                    east * north * northEast[x]) /
+                   whole);
   }
 }
 

@@ -10,7 +10,8 @@
 /// north-west one (n-x)y, the north-east one xy; they sum to n². The height is the sum of weight·height in
 /// double, in this order, divided by n² and rounded to float once. Hence:
 /// - four equal inputs come back bit for bit (every product and sum is exact);
-/// - maps of weight 0 take no part, so that on a border only the two maps (at a corner the one map) count that
+/// - maps of weight 0 take no part, so that on a border only the two maps (at a corner the one map) count
+/// that
 ///   the neighbour has there too, in the same order: both patches get the same bits;
 /// - a sample is missing if an input of positive weight is.
 /// The bits do not depend on the instruction set that is chosen at run time.

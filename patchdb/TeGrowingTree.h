@@ -14,8 +14,8 @@ class TePatchData;
 /// root's side, and per axis it grows toward the request if that lies outside on this axis, else in the
 /// positive direction, until the cell is inside.
 ///
-/// find, insert and remove cost O(depth), depth = log2(span) <= 49 for cells within ±2^47. An inner node takes
-/// 16 bytes; one without leaves is freed at once.
+/// find, insert and remove cost O(depth), depth = log2(span) <= 49 for cells within ±2^47. An inner node
+/// takes 16 bytes; one without leaves is freed at once.
 class TeGrowingTree {
 public:
   /// Cells x .. x + span - 1, y .. y + span - 1; span 0 = an empty tree.

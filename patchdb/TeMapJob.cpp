@@ -13,8 +13,8 @@ TeStatus TeMapJob::start() {
 }
 
 TeProgress TeMapJob::fail(const TeError& error) {
-  m_error.message = "source map (" + std::to_string(m_key.x) + ", " + std::to_string(m_key.y) + "): " +
-                    error.message;
+  m_error.message =
+      "source map (" + std::to_string(m_key.x) + ", " + std::to_string(m_key.y) + "): " + error.message;
   m_job.reset();
   return TeProgress::Failed;
 }

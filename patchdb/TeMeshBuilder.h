@@ -8,8 +8,8 @@ struct TeMeshBlock {
   int stride = 0;
   int columns = 0;
   int rows = 0;
-  bool missing = false;                 ///< there may be missing samples in the block or its ring
-  glm::vec<2, std::int64_t> first{0};   ///< global number of the block's first sample
+  bool missing = false;               ///< there may be missing samples in the block or its ring
+  glm::vec<2, std::int64_t> first{0}; ///< global number of the block's first sample
 };
 
 /// Fills positions, normals and strips of a mesh whose key, part and direction are set. Its origin is the

@@ -10,8 +10,8 @@ TeResult<std::unique_ptr<TePatchDatabase>> TePatchDatabase::create(TeWorld world
     return TeError{"world: no source of heights given"};
   const double spacing = world.lattice.spacing();
   if (!(spacing >= kMinSpacing && spacing <= kMaxSpacing))
-    return TeError{"spacing: " + std::to_string(spacing) + " m is not within " +
-                   std::to_string(kMinSpacing) + " to " + std::to_string(kMaxSpacing)};
+    return TeError{"spacing: " + std::to_string(spacing) + " m is not within " + std::to_string(kMinSpacing) +
+                   " to " + std::to_string(kMaxSpacing)};
   return std::unique_ptr<TePatchDatabase>(new TePatchDatabase(std::move(world)));
 }
 

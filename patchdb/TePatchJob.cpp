@@ -1,7 +1,6 @@
 #include "patchdb/TePatchJob.h"
 
-TePatchJob::TePatchJob(TePatchDatabase& database, const TePatchKey& key)
-    : m_database(&database), m_key(key) {
+TePatchJob::TePatchJob(TePatchDatabase& database, const TePatchKey& key) : m_database(&database), m_key(key) {
   if (!key.valid())
     m_progress = fail({"outside the world"});
   else if (key.level != 0)

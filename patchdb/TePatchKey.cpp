@@ -86,8 +86,8 @@ bool operator<(const TePatchKey& a, const TePatchKey& b) {
 }
 
 std::size_t TePatchKeyHash::operator()(const TePatchKey& key) const {
-  return std::size_t(teHashCombine(teHashCombine(std::uint64_t(key.level), std::uint64_t(key.x)),
-                                   std::uint64_t(key.y)));
+  return std::size_t(
+      teHashCombine(teHashCombine(std::uint64_t(key.level), std::uint64_t(key.x)), std::uint64_t(key.y)));
 }
 
 TeResult<TePatchKey> tePatchAt(const TeLattice& lattice, glm::dvec2 point, int level) {

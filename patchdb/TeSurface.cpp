@@ -37,7 +37,9 @@ std::optional<TeRayHit> TeSurface::intersect(glm::dvec3 origin, glm::dvec3 direc
   if (!(distance >= 0 && distance <= maxDistance))
     return std::nullopt;
   const double spacing = m_lattice->spacing() * double(std::int64_t(1) << place.patch->key().level);
-  return TeRayHit{distance, {origin.x, origin.y, height}, place.cell.normal(place.u, place.v, spacing),
+  return TeRayHit{distance,
+                  {origin.x, origin.y, height},
+                  place.cell.normal(place.u, place.v, spacing),
                   place.patch->key()};
 }
 

@@ -14,8 +14,8 @@
 /// rounding) for finite heights and spacings from 1e-100 to 1e100 metres.
 glm::vec3 teSampleNormal(float here, float west, float east, float south, float north, double spacing);
 
-/// Normals of a block of samples: normal (x, y) = normals[y * columns + x] belongs to heights[y * stride + x].
-/// The ring of samples around the block must be readable: heights points to the block's first sample.
+/// Normals of a block of samples: normal (x, y) = normals[y * columns + x] belongs to heights[y * stride +
+/// x]. The ring of samples around the block must be readable: heights points to the block's first sample.
 /// `missing` tells whether there may be missing samples in the block or its ring.
 /// Cost: see docs/seams.md.
 void teGridNormals(const float* heights, int stride, int columns, int rows, double spacing, bool missing,

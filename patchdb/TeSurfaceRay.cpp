@@ -184,8 +184,7 @@ std::optional<TeRayHit> teMarchRay(const TeLattice& lattice, const TeGrowingTree
   if (!finite(origin) || !finite(direction) || !(maxDistance >= 0))
     return std::nullopt;
   // A largest component of 1 keeps every product below in range.
-  const double scale =
-      std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
+  const double scale = std::max({std::fabs(direction.x), std::fabs(direction.y), std::fabs(direction.z)});
   Marcher marcher(lattice, origin, direction / scale, maxDistance * scale);
   tree.traverse([&](const TeGrowingTree::Bounds& bounds) { return marcher.enter(bounds); },
                 [&](const TePatchData& patch) { return marcher.visit(patch); });

@@ -67,7 +67,8 @@ private:
 inline std::unique_ptr<TePatchDatabase> teTestDatabase(std::shared_ptr<const TeSourceChooser> sources,
                                                        int samples, double spacing = 1.0,
                                                        std::uint64_t seed = 7) {
-  return std::move(*TePatchDatabase::create({*TeLattice::create(samples, spacing), seed, std::move(sources)}));
+  return std::move(
+      *TePatchDatabase::create({*TeLattice::create(samples, spacing), seed, std::move(sources)}));
 }
 
 inline std::unique_ptr<TePatchDatabase> teTestDatabase(TeHeightSourcePtr source, int samples,
