@@ -1,0 +1,38 @@
+#include "nodes/TeSceneFile.h"
+
+#include <Inventor/SoOutput.h>
+#include <Inventor/actions/SoWriteAction.h>
+#include <Inventor/nodes/SoNode.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace {
+
+constexpr std::size_t kFirstBuffer = 1 << 16;
+
+} // namespace
+
+TeStatus teWriteScene(SoNode* scene, const std::string& path) {
+  std::FILE* file = std::fopen(path.c_str(), "wb");
+  if (!file)
+    return TeError{path + ": cannot be written: " + std::strerror(errno)};
+  // Coin does not say whether its own writing to a file failed: it writes into memory, we to the file.
+  SoOutput output;
+  output.setBuffer(std::malloc(kFirstBuffer), kFirstBuffer, std::realloc);
+  output.setFloatPrecision(9);
+  SoWriteAction action(&output);
+  action.apply(scene);
+  void* buffer = nullptr;
+  std::size_t size = 0;
+  const bool made = output.getBuffer(buffer, size);
+  errno = 0;
+  const bool written = made && std::fwrite(buffer, 1, size, file) == size;
+  const bool closed = std::fclose(file) == 0;
+  std::free(buffer);
+  if (written && closed)
+    return {};
+  return TeError{path + ": cannot be written: " + (errno ? std::strerror(errno) : "not enough memory")};
+}
