@@ -1,6 +1,7 @@
 #include "generators/elevation/TeLocalFrame.h"
 
-#include "generators/base/TeTrigonometry.h"
+#include "generators/base/TeArcTangent.h"
+#include "generators/base/TeMath.h"
 
 #include <algorithm>
 #include <cmath>
