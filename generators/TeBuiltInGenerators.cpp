@@ -2,6 +2,8 @@
 
 #include "generators/TeGeneratorRegistry.h"
 #include "generators/faults/TeFaultGenerator.h"
+#include "generators/filters/TeBandFilter.h"
+#include "generators/filters/TeMatrixFilter.h"
 #include "generators/function/TeFunctionGenerator.h"
 
 namespace {
@@ -22,4 +24,7 @@ template <class Filter> void filter(TeGeneratorRegistry& registry, const char* h
 
 void teAddBuiltInGenerators(TeGeneratorRegistry& registry) {
   generator<TeFaultGenerator>(registry, "fault formation: lines through the map, one side of each rises");
+  generator<TeFunctionGenerator>(registry, "height given by a function z = f(x, y)");
+  filter<TeBandFilter>(registry, "linear filter along rows and columns, both ways");
+  filter<TeMatrixFilter>(registry, "weighted mean of each sample's neighbourhood");
 }
