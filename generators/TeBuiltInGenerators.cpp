@@ -5,6 +5,7 @@
 #include "generators/filters/TeBandFilter.h"
 #include "generators/filters/TeMatrixFilter.h"
 #include "generators/function/TeFunctionGenerator.h"
+#include "generators/noise/TeNoiseGenerator.h"
 
 namespace {
 
@@ -27,4 +28,6 @@ void teAddBuiltInGenerators(TeGeneratorRegistry& registry) {
   generator<TeFunctionGenerator>(registry, "height given by a function z = f(x, y)");
   filter<TeBandFilter>(registry, "linear filter along rows and columns, both ways");
   filter<TeMatrixFilter>(registry, "weighted mean of each sample's neighbourhood");
+  generator<TeNoiseGenerator>(
+      registry, "gradient noise: hills, mountain crests or folded land, exact far from the origin");
 }

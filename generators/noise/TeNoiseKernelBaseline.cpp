@@ -1,0 +1,7 @@
+namespace {
+constexpr int kLanes = 2;
+}
+
+#include "generators/noise/TeNoiseLoops.h"
+
+const TeNoiseKernel teNoiseKernelBaseline{TeNoiseKernel::Path::Baseline, "baseline", noiseRow, noisePoints};
