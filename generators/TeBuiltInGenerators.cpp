@@ -26,8 +26,8 @@ template <class Filter> void filter(TeGeneratorRegistry& registry, const char* h
 void teAddBuiltInGenerators(TeGeneratorRegistry& registry) {
   generator<TeFaultGenerator>(registry, "fault formation: lines through the map, one side of each rises");
   generator<TeFunctionGenerator>(registry, "height given by a function z = f(x, y)");
-  filter<TeBandFilter>(registry, "linear filter along rows and columns, both ways");
-  filter<TeMatrixFilter>(registry, "weighted mean of each sample's neighbourhood");
   generator<TeNoiseGenerator>(
       registry, "gradient noise: hills, mountain crests or folded land, exact far from the origin");
+  filter<TeBandFilter>(registry, "linear filter along rows and columns, both ways");
+  filter<TeMatrixFilter>(registry, "weighted mean of each sample's neighbourhood");
 }
