@@ -1,6 +1,7 @@
 #include "generators/TeBuiltInGenerators.h"
 
 #include "generators/TeGeneratorRegistry.h"
+#include "generators/elevation/TeElevationGenerator.h"
 #include "generators/faults/TeFaultGenerator.h"
 #include "generators/filters/TeBandFilter.h"
 #include "generators/filters/TeMatrixFilter.h"
@@ -30,4 +31,5 @@ void teAddBuiltInGenerators(TeGeneratorRegistry& registry) {
       registry, "gradient noise: hills, mountain crests or folded land, exact far from the origin");
   filter<TeBandFilter>(registry, "linear filter along rows and columns, both ways");
   filter<TeMatrixFilter>(registry, "weighted mean of each sample's neighbourhood");
+  generator<TeElevationGenerator>(registry, "real elevation data from a file");
 }
