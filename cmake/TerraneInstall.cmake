@@ -25,4 +25,4 @@ terrane_pkgconfig(terrane-patchdb "Endless terrain in patches" "terrane-generato
 # Coin brings no pkg-config file in Debian.
 terrane_pkgconfig(terrane "${PROJECT_DESCRIPTION}" "terrane-patchdb" "-lTerraneEngine -lTerraneNodes -lCoin")
 
-install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
