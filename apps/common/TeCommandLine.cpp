@@ -1,11 +1,9 @@
 #include "apps/common/TeCommandLine.h"
 
+#include "apps/common/TeContextChoice.h"
 #include "apps/common/TeExit.h"
 
-#include <cmath>
 #include <cstdio>
-#include <cstdlib>
-#include <limits>
 
 namespace {
 
@@ -39,14 +37,9 @@ std::string checkSize(std::string& text) {
 
 } // namespace
 
-std::string TeCommonOptions::defaultContext() {
-  const char* display = std::getenv("DISPLAY");
-  return display && *display ? "window" : "osmesa";
-}
-
 TeCommandLine::TeCommandLine(const std::string& application, const std::string& description)
     : m_cli(description, application), m_application(application) {
-  m_common.context = TeCommonOptions::defaultContext();
+  m_common.context = teContextChoice(0, nullptr);
   const std::string common = "Common options";
   m_cli.get_formatter()->column_width(34);
   m_cli.set_help_flag("-h,--help", "Print this and exit")->group(common);

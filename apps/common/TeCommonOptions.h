@@ -16,7 +16,4 @@ struct TeCommonOptions {
   bool quiet = false;
 
   static constexpr int kMaxSide = 8192;
-
-  /// "window" if there is a display, else "osmesa".
-  static std::string defaultContext();
 };
