@@ -25,7 +25,10 @@ public:
     std::int64_t span = 0;
 
     bool contains(std::int64_t cellX, std::int64_t cellY) const {
-      return cellX >= x && cellX - x < span && cellY >= y && cellY - y < span;
+      const auto inside = [this](std::int64_t cell, std::int64_t first) {
+        return std::uint64_t(cell) - std::uint64_t(first) < std::uint64_t(span);
+      };
+      return inside(cellX, x) && inside(cellY, y);
     }
     /// Quarter 0 = south-west, 1 = south-east, 2 = north-west, 3 = north-east.
     Bounds quarter(int index) const {
