@@ -1,0 +1,135 @@
+#include "generators/circles/TeCircles.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace {
+
+using Source = std::shared_ptr<const TeCircles>;
+
+Source make(int circles = 1000) {
+  TeCirclesParameters parameters;
+  parameters.circles = circles;
+  return *TeCircles::create(parameters);
+}
+
+TeMapRequest mapOf(int columns, int rows, TeMapKey key = {}, double spacing = 1) {
+  TeMapRequest request = *TeMapRequest::standalone(columns, rows, spacing, 7);
+  request.key = key;
+  return request;
+}
+
+/// The document's loop: each circle over every sample of the map.
+TeHeightMap plainLoop(const TeCircles& source, const TeMapRequest& request) {
+  TeHeightMap map = *TeHeightMap::create(request.columns, request.rows);
+  for (int i = 0; i < source.parameters().circles; ++i) {
+    const TeCircle circle = source.circle(request, source.random(request), i);
+    for (int r = 0; r < request.rows; ++r)
+      for (int c = 0; c < request.columns; ++c)
+        map.at(c, r) += TeCircle::hill(circle.fromCentreX(c), circle.fromCentreY(r),
+                                       circle.inverseSquareRadius(), circle.height);
+  }
+  return map;
+}
+
+} // namespace
+
+TEST(TeCircles, MapsOfAnySizeHaveTheBitsOfThePlainLoop) {
+  for (auto [columns, rows] : {std::pair(65, 65), {1, 1}, {1, 70}, {70, 1}, {2, 3}, {33, 130}, {3000, 2}})
+    EXPECT_EQ(*make()->generate(mapOf(columns, rows)), plainLoop(*make(), mapOf(columns, rows)))
+        << columns << "x" << rows;
+  for (double spacing : {1e-9, 0.01, 30.0, 1e12})
+    EXPECT_EQ(*make()->generate(mapOf(33, 33, {1, 2}, spacing)),
+              plainLoop(*make(), mapOf(33, 33, {1, 2}, spacing)))
+        << spacing;
+}
+
+TEST(TeCircles, AnySlicingGivesTheSameBits) {
+  const Source source = make();
+  const TeHeightMap whole = *source->generate(mapOf(65, 65));
+  for (std::int64_t units : {1, 2, 7}) {
+    const std::unique_ptr<TeHeightJob> job = source->start(mapOf(65, 65));
+    int slices = 1;
+    TeAllowance allowance = TeAllowance::units(units);
+    while (job->step(allowance) == TeProgress::Working) {
+      ++slices;
+      allowance = TeAllowance::units(units);
+    }
+    EXPECT_GT(slices, 1);
+    EXPECT_EQ(job->takeMap(), whole) << units;
+  }
+}
+
+TEST(TeCircles, ScatteredSamplesHaveTheBitsOfTheMap) {
+  const Source source = make();
+  ASSERT_TRUE(source->pointEvaluable());
+  const TeMapRequest request = mapOf(65, 33, {4, -9});
+  const TeHeightMap map = *source->generate(request);
+  std::vector<TeMapSample> samples;
+  for (int r = 32; r >= 0; r -= 4)
+    for (int c = 0; c < 65; c += 3)
+      samples.push_back({c, r});
+  std::vector<float> heights(samples.size());
+  ASSERT_TRUE(source->evaluate(request, samples.data(), samples.size(), heights.data()));
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    EXPECT_EQ(heights[i], map.at(samples[i].column, samples[i].row));
+}
+
+TEST(TeCircles, AHillIsACosineOverItsCircle) {
+  const double pi = std::acos(-1.0);
+  for (double radius : {1.0, 7.3, 1000.0})
+    for (int i = 0; i <= 1000; ++i) {
+      const double d = 1.2 * radius * i / 1000;
+      const double expected = d < radius ? 5 * (1 + std::cos(pi * d / radius)) : 0;
+      EXPECT_NEAR(TeCircle::hill(float(d), 0, float(1 / (radius * radius)), 10), expected, 1e-5) << d;
+      if (d > 1.001 * radius) {
+        EXPECT_EQ(TeCircle::hill(float(d), 0, float(1 / (radius * radius)), 10), 0.0f);
+      }
+    }
+}
+
+TEST(TeCircles, BordersAreCoveredLikeTheMiddle) {
+  const Source source = make();
+  double border = 0, middle = 0;
+  for (int k = 0; k < 200; ++k) {
+    const TeMapRequest request = mapOf(33, 33, {k, 3});
+    const TeMapSample samples[] = {{0, 0}, {16, 16}};
+    float heights[2];
+    ASSERT_TRUE(source->evaluate(request, samples, 2, heights));
+    border += heights[0] * heights[0];
+    middle += heights[1] * heights[1];
+  }
+  EXPECT_GT(border, 0.7 * middle);
+  EXPECT_LT(border, 1.4 * middle);
+}
+
+TEST(TeCircles, CirclesStayWithinTheirParameters) {
+  const Source source = make();
+  const TeMapRequest request = mapOf(65, 65, {}, 0.5);
+  int raised = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const TeCircle circle = source->circle(request, source->random(request), i);
+    EXPECT_GE(circle.radius, source->parameters().smallest / 0.5);
+    EXPECT_LE(circle.radius, source->parameters().largest / 0.5);
+    EXPECT_LE(std::fabs(circle.height),
+              source->parameters().height * circle.radius * 0.5 / source->parameters().largest * 1.0001);
+    EXPECT_GE(double(circle.column), -circle.radius - 2);
+    EXPECT_LE(double(circle.column), 65 + circle.radius + 1);
+    raised += circle.height > 0 ? 1 : 0;
+  }
+  EXPECT_NEAR(raised, 500, 100);
+}
+
+TEST(TeCircles, RefusesParametersOutOfRange) {
+  const auto refused = [](auto change) {
+    TeCirclesParameters parameters;
+    change(parameters);
+    return !TeCircles::create(parameters).ok();
+  };
+  EXPECT_TRUE(refused([](TeCirclesParameters& p) { p.circles = 0; }));
+  EXPECT_TRUE(refused([](TeCirclesParameters& p) { p.smallest = 21; }));
+  EXPECT_TRUE(refused([](TeCirclesParameters& p) { p.largest = NAN; }));
+  EXPECT_TRUE(refused([](TeCirclesParameters& p) { p.height = -1; }));
+  EXPECT_FALSE(refused([](TeCirclesParameters& p) { p.smallest = p.largest; }));
+}
