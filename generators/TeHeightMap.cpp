@@ -9,7 +9,16 @@
 namespace {
 
 /// Overflow to infinity becomes missing; NaN (one operand missing, or inf - inf) becomes *the* missing value.
-float finiteOrMissing(float height) { return std::isfinite(height) ? height : TeHeightMap::missing(); }
+/// In whole numbers, so that loops over it need no branch.
+float finiteOrMissing(float height) {
+  constexpr std::uint32_t kExponent = 0x7F800000u;
+  constexpr std::uint32_t kMissing = 0x7FC00000u;
+  std::uint32_t bits;
+  std::memcpy(&bits, &height, sizeof bits);
+  bits = (bits & kExponent) == kExponent ? kMissing : bits;
+  std::memcpy(&height, &bits, sizeof bits);
+  return height;
+}
 
 std::string text(const TeMapRect& r) {
   return "(" + std::to_string(r.x) + ", " + std::to_string(r.y) + ") " + std::to_string(r.width) + "x" +

@@ -9,7 +9,9 @@ namespace {
 
 constexpr int kPadding = TeBandKernel::kPadding;
 
-int padded(int n) { return (n + kPadding - 1) / kPadding * kPadding; }
+int roundedUp(int n, int unit) { return (n + unit - 1) / unit * unit; }
+int padded(int n) { return roundedUp(n, kPadding); }
+int tiled(int n) { return roundedUp(n, TeBandKernel::kTile); }
 
 /// Rows of a power of two of bytes apart would fall into the same few places of the cache.
 int paddedStride(int width) {
@@ -31,16 +33,21 @@ TeStatus TeBandGrid::accepts(int width, int height) {
 }
 
 TeBandGrid::TeBandGrid(int width, int height, const TeBandKernel& kernel)
-    : m_kernel(kernel), m_width(width), m_height(height), m_stride(paddedStride(width)),
-      m_samples(std::size_t(m_stride) * std::size_t(padded(height))),
-      m_turned(std::size_t(kUnitSamples) * std::size_t(std::min(kUnitLines, padded(height)))),
-      m_carry(kUnitLines) {}
+    : m_kernel(kernel), m_width(width), m_height(height), m_stride(paddedStride(width)), m_carry(kUnitLines) {
+  const std::size_t samples = std::size_t(m_stride) * std::size_t(padded(height));
+  const int turnedSamples = turnedAtOnce() ? padded(width) : kUnitSamples;
+  const std::size_t turned = std::size_t(turnedSamples) * std::size_t(std::min(kUnitLines, padded(height)));
+  m_memory.resize(samples + turned + kPadding);
+  const std::size_t misaligned = reinterpret_cast<std::uintptr_t>(m_memory.data()) / sizeof(float) % kPadding;
+  m_samples = m_memory.data() + (kPadding - misaligned) % kPadding;
+  m_turned = m_samples + samples;
+}
 
 void TeBandGrid::load(const TeHeightMap& map, int firstRow, int rows) {
   assert(map.width() == m_width && map.height() == m_height);
   for (int y = firstRow; y < firstRow + rows; ++y) {
     const float* in = map.row(y);
-    float* out = m_samples.data() + std::size_t(y) * m_stride;
+    float* out = m_samples + std::size_t(y) * m_stride;
     int unusual = 0;
     for (int x = 0; x < m_width; ++x) {
       out[x] = in[x];
@@ -53,15 +60,15 @@ void TeBandGrid::load(const TeHeightMap& map, int firstRow, int rows) {
 void TeBandGrid::store(TeHeightMap& map, int firstRow, int rows) const {
   assert(map.width() == m_width && map.height() == m_height);
   for (int y = firstRow; y < firstRow + rows; ++y) {
-    const float* in = m_samples.data() + std::size_t(y) * m_stride;
+    const float* in = m_samples + std::size_t(y) * m_stride;
     std::copy(in, in + m_width, map.row(y));
   }
 }
 
-void TeBandGrid::begin(float k, int passes) {
+void TeBandGrid::begin(float k, int passes, Axis axis) {
   m_k = k;
   m_passesLeft = passes;
-  m_axis = Axis::Rows;
+  m_axis = axis;
   m_band = m_piece = 0;
   m_falling = false;
 }
@@ -92,27 +99,30 @@ TeBandGrid::Piece TeBandGrid::piece() const {
           m_piece == 0, m_piece == count - 1};
 }
 
+// Short rows are turned once and back once; long ones on each way, so that the buffer stays in the cache.
 void TeBandGrid::unitOfRows(const Piece& p) {
-  float* corner = m_samples.data() + std::ptrdiff_t(p.firstLine) * m_stride + p.firstSample;
-  float* turned = m_turned.data();
+  float* corner = m_samples + std::ptrdiff_t(p.firstLine) * m_stride + p.firstSample;
+  float* turned = m_turned + (turnedAtOnce() ? std::ptrdiff_t(p.firstSample) * p.lines : 0);
   float* last = turned + std::ptrdiff_t(p.samples - 1) * p.lines;
-  m_kernel.transpose(corner, m_stride, p.lines, padded(p.samples), turned, p.lines);
+  const int lines = tiled(std::min(p.lines, m_height - p.firstLine));
+  const bool bothWays = p.atStart && p.atEnd;
   const float* before = p.atStart ? nullptr : m_carry.data();
+  if (!m_falling || !turnedAtOnce())
+    m_kernel.transpose(corner, m_stride, lines, tiled(p.samples), turned, p.lines);
   if (!m_falling) {
     sweep(turned, p.lines, p.samples, p.lines, before);
-    if (p.atStart && p.atEnd)
-      sweep(last, -p.lines, p.samples, p.lines, nullptr);
-    else
-      std::copy(last, last + p.lines, m_carry.begin());
-  } else {
+    std::copy(last, last + p.lines, m_carry.begin());
+  }
+  if (m_falling || bothWays) {
     sweep(last, -p.lines, p.samples, p.lines, before);
     std::copy(turned, turned + p.lines, m_carry.begin());
   }
-  m_kernel.transpose(turned, p.lines, padded(p.samples), p.lines, corner, m_stride);
+  if (m_falling || bothWays || !turnedAtOnce())
+    m_kernel.transpose(turned, p.lines, tiled(p.samples), lines, corner, m_stride);
 }
 
 void TeBandGrid::unitOfColumns(const Piece& p) {
-  float* first = m_samples.data() + std::ptrdiff_t(p.firstSample) * m_stride + p.firstLine;
+  float* first = m_samples + std::ptrdiff_t(p.firstSample) * m_stride + p.firstLine;
   float* last = first + std::ptrdiff_t(p.samples - 1) * m_stride;
   if (!m_falling) {
     sweep(first, m_stride, p.samples, p.lines, p.atStart ? nullptr : first - m_stride);

@@ -7,6 +7,8 @@
 struct TeBandKernel {
   /// Widths and strides are multiples of this many floats.
   static constexpr int kPadding = 16;
+  /// Rows and columns of what is transposed are multiples of this many.
+  static constexpr int kTile = 8;
 
   const char* name;
   /// Floats that one vector register holds.
@@ -19,7 +21,7 @@ struct TeBandKernel {
   /// The same for any heights: a missing one stays missing, and the recursion starts anew behind it; a result
   /// beyond float's range is missing.
   void (*sweepCareful)(float* row, std::ptrdiff_t step, int count, int width, const float* before, float k);
-  /// out[x][y] = in[y][x]; both sides multiples of kPadding.
+  /// out[x][y] = in[y][x]; both sides multiples of kTile.
   void (*transpose)(const float* in, std::ptrdiff_t inStride, int rows, int columns, float* out,
                     std::ptrdiff_t outStride);
 

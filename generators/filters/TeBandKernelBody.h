@@ -74,45 +74,58 @@ void sweep(float* row, std::ptrdiff_t step, int count, int width, const float* b
   }
 }
 
-template <int... kNumbers> struct Sequence {};
-template <int kCount, int... kNumbers>
-struct MakeSequence : MakeSequence<kCount - 1, kCount - 1, kNumbers...> {};
-template <int... kNumbers> struct MakeSequence<0, kNumbers...> { using type = Sequence<kNumbers...>; };
+/// Tiles of 8×8 where registers allow, else of 4×4.
+constexpr int kTile = kLanes < 8 ? 4 : 8;
+typedef float Quad __attribute__((vector_size(16), aligned(4), may_alias));
+typedef float Tile __attribute__((vector_size(4 * kTile)));
+typedef float UnalignedTile __attribute__((vector_size(4 * kTile), aligned(4), may_alias));
 
-/// Exchanges the upper right and lower left quarters of the blocks of side 2·kDistance.
-template <int kDistance, int... kLane> void exchange(Vector* rows, Sequence<kLane...>) {
-  for (int i = 0; i < kLanes; ++i) {
-    if (i & kDistance)
-      continue;
-    const Vector a = rows[i];
-    const Vector b = rows[i + kDistance];
-    rows[i] = __builtin_shufflevector(a, b, ((kLane & kDistance) ? kLanes + kLane - kDistance : kLane)...);
-    rows[i + kDistance] =
-        __builtin_shufflevector(a, b, ((kLane & kDistance) ? kLanes + kLane : kLane + kDistance)...);
+/// Four samples of a row, and with tiles of 8 those of the fourth row after it behind them: so the halves are
+/// exchanged by loading, and all that is left is to transpose blocks of 4×4.
+inline void loadQuads(const float* in, std::ptrdiff_t stride, Tile& tile) {
+#if TE_BAND_LANES >= 8
+  const Quad low = *reinterpret_cast<const Quad*>(in);
+  const Quad high = *reinterpret_cast<const Quad*>(in + 4 * stride);
+  tile = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+#else
+  (void)stride;
+  tile = *reinterpret_cast<const Quad*>(in);
+#endif
+}
+
+#if TE_BAND_LANES >= 8
+#define TE_SHUFFLE(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l, i + 4, j + 4, k + 4, l + 4)
+#else
+#define TE_SHUFFLE(a, b, i, j, k, l) __builtin_shufflevector(a, b, i, j, k, l)
+#endif
+
+void transposeTile(const float* in, std::ptrdiff_t inStride, float* out, std::ptrdiff_t outStride) {
+  for (int quad = 0; quad < kTile; quad += 4) {
+    Tile a, b, c, d;
+    loadQuads(in + quad, inStride, a);
+    loadQuads(in + quad + inStride, inStride, b);
+    loadQuads(in + quad + 2 * inStride, inStride, c);
+    loadQuads(in + quad + 3 * inStride, inStride, d);
+    const Tile abLow = TE_SHUFFLE(a, b, 0, kTile, 1, kTile + 1);
+    const Tile abHigh = TE_SHUFFLE(a, b, 2, kTile + 2, 3, kTile + 3);
+    const Tile cdLow = TE_SHUFFLE(c, d, 0, kTile, 1, kTile + 1);
+    const Tile cdHigh = TE_SHUFFLE(c, d, 2, kTile + 2, 3, kTile + 3);
+    const auto place = [out, outStride](int row) -> UnalignedTile& {
+      return *reinterpret_cast<UnalignedTile*>(out + row * outStride);
+    };
+    place(quad) = TE_SHUFFLE(abLow, cdLow, 0, 1, kTile, kTile + 1);
+    place(quad + 1) = TE_SHUFFLE(abLow, cdLow, 2, 3, kTile + 2, kTile + 3);
+    place(quad + 2) = TE_SHUFFLE(abHigh, cdHigh, 0, 1, kTile, kTile + 1);
+    place(quad + 3) = TE_SHUFFLE(abHigh, cdHigh, 2, 3, kTile + 2, kTile + 3);
   }
 }
 
-void transposeTile(const float* in, std::ptrdiff_t inStride, float* out, std::ptrdiff_t outStride) {
-  using Lanes = MakeSequence<kLanes>::type;
-  Vector rows[kLanes];
-  for (int i = 0; i < kLanes; ++i)
-    rows[i] = *reinterpret_cast<const UnalignedVector*>(in + i * inStride);
-#if TE_BAND_LANES >= 16
-  exchange<8>(rows, Lanes());
-#endif
-#if TE_BAND_LANES >= 8
-  exchange<4>(rows, Lanes());
-#endif
-  exchange<2>(rows, Lanes());
-  exchange<1>(rows, Lanes());
-  for (int i = 0; i < kLanes; ++i)
-    *reinterpret_cast<UnalignedVector*>(out + i * outStride) = rows[i];
-}
+#undef TE_SHUFFLE
 
 void transpose(const float* in, std::ptrdiff_t inStride, int rows, int columns, float* out,
                std::ptrdiff_t outStride) {
-  for (int y = 0; y < rows; y += kLanes)
-    for (int x = 0; x < columns; x += kLanes)
+  for (int y = 0; y < rows; y += kTile)
+    for (int x = 0; x < columns; x += kTile)
       transposeTile(in + y * inStride + x, inStride, out + x * outStride + y, outStride);
 }
 
