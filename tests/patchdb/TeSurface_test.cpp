@@ -1,0 +1,200 @@
+#include "patchdb/TeSurface.h"
+
+#include "generators/base/TeRandom.h"
+#include "patchdb/TeTestWorlds.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace {
+
+void buildBlock(TePatchDatabase& database, int from, int to) {
+  for (int y = from; y <= to; ++y)
+    for (int x = from; x <= to; ++x)
+      ASSERT_TRUE(database.build({x, y, 0}));
+}
+
+} // namespace
+
+TEST(TeSurface, HeightAtSamplesIsExactlyTheirFloat) {
+  for (double spacing : {1.0, 0.1, 27.3}) {
+    auto database = teTestDatabase(std::make_shared<TeHashSource>(), 17, spacing);
+    buildBlock(*database, -1, 1);
+    const TeLattice& lattice = database->lattice();
+    // Every sample of the block, those on its rim included.
+    for (int y = -8; y <= 16; ++y)
+      for (int x = -8; x <= 16; ++x) {
+        const TePatchKey key{std::min(1, int(std::floor(x / 8.0))), std::min(1, int(std::floor(y / 8.0))), 0};
+        const float sample = database->find(key)->heights().at(int(x - key.x * 8), int(y - key.y * 8));
+        ASSERT_EQ(*database->heightAt({lattice.position(x), lattice.position(y)}), double(sample))
+            << x << ", " << y;
+      }
+  }
+}
+
+TEST(TeSurface, CellsAreSplitFromSouthWestToNorthEast) {
+  auto database = teSampleWorld(
+      [](std::int64_t x, std::int64_t y) {
+        return x == 3 && y == 5 ? 10.0f : x == 4 && y == 4 ? 6.0f : 0.0f;
+      },
+      17);
+  buildBlock(*database, 0, 0);
+  const double west = database->lattice().position(3);
+  const double south = database->lattice().position(4);
+  EXPECT_EQ(*database->heightAt({west + 0.5, south + 0.5}), 0.0);   // the diagonal is level
+  EXPECT_EQ(*database->heightAt({west + 0.25, south + 0.75}), 5.0); // towards the north-west corner
+  EXPECT_EQ(*database->heightAt({west + 0.75, south + 0.25}), 3.0); // towards the south-east corner
+  const glm::dvec3 upper = *database->normalAt({west + 0.25, south + 0.75});
+  const glm::dvec3 expected = glm::dvec3(10, -10, 1) / std::sqrt(201.0);
+  EXPECT_NEAR(upper.x, expected.x, 1e-15);
+  EXPECT_NEAR(upper.y, expected.y, 1e-15);
+  EXPECT_NEAR(upper.z, expected.z, 1e-15);
+}
+
+TEST(TeSurface, AnotherDiagonalDiffersByAtMostTheStatedBound) {
+  TeRandom random(4, 4, {});
+  for (int i = 0; i < 2000; ++i) {
+    const TeSurfaceCell cell{float(random.uniform(-9, 9)), float(random.uniform(-9, 9)),
+                             float(random.uniform(-9, 9)), float(random.uniform(-9, 9))};
+    // The same cell seen in a mirror has the other diagonal.
+    const TeSurfaceCell mirrored{cell.southEast, cell.southWest, cell.northEast, cell.northWest};
+    double worst = 0;
+    for (double v = 0; v <= 1; v += 0.125)
+      for (double u = 0; u <= 1; u += 0.125) {
+        worst = std::max(worst, std::fabs(cell.height(u, v) - mirrored.height(1 - u, v)));
+        const double bilinear = (1 - v) * ((1 - u) * cell.southWest + u * cell.southEast) +
+                                v * ((1 - u) * cell.northWest + u * cell.northEast);
+        ASSERT_LE(std::fabs(cell.height(u, v) - bilinear), cell.deviation() + 1e-12);
+      }
+    ASSERT_LE(worst, cell.deviation() + 1e-12);
+    ASSERT_NEAR(worst, cell.deviation(), 1e-12); // it is reached in the middle
+  }
+}
+
+TEST(TeSurface, NothingIsAnsweredWhereNothingIsKnown) {
+  auto database = teSampleWorld(
+      [](std::int64_t x, std::int64_t y) { return x == 4 && y == 4 ? TeHeightMap::missing() : 1.0f; }, 17);
+  EXPECT_FALSE(database->heightAt({0, 0}));
+  EXPECT_FALSE(database->intersect({0, 0, 10}, {0, 0, -1}, 100));
+  buildBlock(*database, 0, 0);
+  EXPECT_FALSE(database->heightAt({0.5, 0.5})); // the hole
+  EXPECT_FALSE(database->normalAt({0.5, 0.5}));
+  EXPECT_TRUE(database->heightAt({1, 0})); // its rim belongs to the cells around
+  EXPECT_TRUE(database->heightAt({4, 4})); // so does the rim of the known
+  EXPECT_FALSE(database->heightAt({4.01, 0}));
+  EXPECT_FALSE(database->heightAt({-4.01, 0}));
+  for (double bad : {double(NAN), double(INFINITY), -double(INFINITY), 1e300, -1e300}) {
+    EXPECT_FALSE(database->heightAt({bad, 0}));
+    EXPECT_FALSE(database->normalAt({0, bad}));
+    EXPECT_FALSE(database->surfaceAt({bad, bad}));
+    EXPECT_FALSE(database->intersect({bad, 0, 0}, {1, 0, 0}, 10));
+    EXPECT_FALSE(database->intersect({0, 0, 10}, {0, 0, -1}, -1));
+  }
+  EXPECT_FALSE(database->intersect({2, 2, 10}, {0, NAN, -1}, 100));
+  EXPECT_FALSE(database->intersect({2, 2, 10}, {0, 0, 0}, 100));
+  EXPECT_FALSE(database->intersect({2, 2, 10}, {0, 0, -1}, NAN));
+  EXPECT_FALSE(database->intersect({2, 2, 10}, {0, 1, -1}, NAN));
+  EXPECT_TRUE(database->intersect({2, 2, 10}, {0, 0, -1}, INFINITY));
+}
+
+TEST(TeSurface, AnswersFollowWhatIsBuiltAndRemoved) {
+  auto database = teTestDatabase(std::make_shared<TeHashSource>(), 17);
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_FALSE(database->heightAt({0, 0}));
+    ASSERT_TRUE(database->build({0, 0, 0}));
+    EXPECT_TRUE(database->heightAt({0, 0}));
+    database->find({0, 0, 0})->dropHeights();
+    EXPECT_FALSE(database->heightAt({0, 0}));
+    ASSERT_TRUE(database->build({0, 0, 0}));
+    EXPECT_TRUE(database->heightAt({0, 0}));
+    database->remove({0, 0, 0});
+  }
+}
+
+TEST(TeSurface, CoarserPatchesAnswerWithTheirDeviation) {
+  auto database = teSampleWorld([](std::int64_t x, std::int64_t) { return float(x); }, 17);
+  TeHeightMap heights = *TeHeightMap::create(9, 9);
+  for (int y = 0; y <= 8; ++y)
+    for (int x = 0; x <= 8; ++x)
+      heights.at(x, y) = float(4 * x);
+  (*database->lookup({0, 0, 2}, TeLookup::Create))->setHeights(std::move(heights), 0.75f);
+  const auto coarse = database->surfaceAt({9.5, 3.25});
+  ASSERT_TRUE(coarse);
+  EXPECT_EQ(coarse->key, (TePatchKey{0, 0, 2}));
+  EXPECT_EQ(coarse->deviation, 0.75);
+  EXPECT_EQ(coarse->height, 13.5);
+  ASSERT_TRUE(database->build({1, 0, 0}));
+  const auto fine = database->surfaceAt({9.5, 3.25});
+  EXPECT_EQ(fine->key, (TePatchKey{1, 0, 0}));
+  EXPECT_EQ(fine->deviation, 0.0);
+  EXPECT_EQ(fine->height, 13.5);
+  EXPECT_EQ(*database->heightAt({27.99999, 27.99999}), *database->heightAt({27.99999, 0}));
+  EXPECT_EQ(*database->heightAt({28, 28}), 32.0); // the rim of the coarse patch
+}
+
+TEST(TeSurface, RaysHitWhereTheHeightsSay) {
+  auto database = teTestDatabase(std::make_shared<TeHashSource>(1, 3.0f), 17, 0.7);
+  buildBlock(*database, -2, 2);
+  TeRandom random(1, 9, {});
+  const double reach = 2.45 * database->lattice().patchSide();
+  int hits = 0;
+  for (int i = 0; i < 5000; ++i) {
+    const glm::dvec3 from(random.uniform(-reach, reach), random.uniform(-reach, reach),
+                          random.uniform(-5, 5));
+    const glm::dvec3 to(random.uniform(-reach, reach), random.uniform(-reach, reach), random.uniform(-5, 5));
+    const bool above = from.z > *database->heightAt({from.x, from.y});
+    const bool ends = to.z > *database->heightAt({to.x, to.y});
+    const auto hit = database->intersect(from, to - from, 1);
+    if (above != ends) {
+      ASSERT_TRUE(hit) << i;
+    }
+    // By small steps: no change of side before the hit.
+    const double until = hit ? hit->distance : 1;
+    for (int step = 1; step < 400; ++step) {
+      const glm::dvec3 p = from + (to - from) * (until * step / 400);
+      const double clearance = p.z - *database->heightAt({p.x, p.y});
+      ASSERT_TRUE(above ? clearance > -1e-9 : clearance < 1e-9) << i << " " << step;
+    }
+    if (hit) {
+      ++hits;
+      ASSERT_NEAR(hit->position.z, *database->heightAt({hit->position.x, hit->position.y}), 1e-9);
+      const glm::dvec3 p = from + (to - from) * hit->distance;
+      ASSERT_NEAR(p.z, hit->position.z, 1e-9);
+      ASSERT_GT(hit->normal.z, 0);
+    }
+  }
+  EXPECT_GT(hits, 2000);
+}
+
+TEST(TeSurface, RaysOverUnknownLandCostNothing) {
+  auto database = teSampleWorld([](std::int64_t, std::int64_t) { return 100.0f; }, 17);
+  const std::int64_t far = 1 << 30;
+  ASSERT_TRUE(database->build({0, 0, 0}));
+  ASSERT_TRUE(database->build({far, 0, 0}));
+  ASSERT_TRUE(database->build({far, far, 0}));
+  const glm::dvec2 target = tePatchCentre(database->lattice(), {far, far, 0});
+  const glm::dvec3 from(target.x - 6e9, target.y - 5e9, 100 + 1e9);
+  const auto hit = database->intersect(from, {6, 5, -1}, std::numeric_limits<double>::infinity());
+  ASSERT_TRUE(hit);
+  EXPECT_EQ(hit->key, (TePatchKey{far, far, 0}));
+  EXPECT_NEAR(hit->position.x, target.x, 1e-5);
+  EXPECT_NEAR(hit->distance, 1e9, 1e-5);
+  EXPECT_FALSE(database->intersect(from, {6, 5, -1}, 0.99e9));
+  EXPECT_FALSE(database->intersect(from, {-6, -5, -1}, std::numeric_limits<double>::infinity()));
+}
+
+TEST(TeSurface, RaysStartOnTheSurfaceAndOnlyPointForward) {
+  auto database = teSampleWorld([](std::int64_t, std::int64_t) { return 5.0f; }, 17);
+  buildBlock(*database, 0, 0);
+  EXPECT_EQ(database->intersect({1, 1, 5}, {1, 0, 0}, 1)->distance, 0);
+  EXPECT_EQ(database->intersect({1, 1, 5}, {0, 0, 1}, 1)->distance, 0);
+  EXPECT_FALSE(database->intersect({1, 1, 5.5}, {1, 0, 1}, 100));
+  EXPECT_FALSE(database->intersect({1, 1, 5.5}, {0, 0, 1}, 100));
+  EXPECT_EQ(database->intersect({1, 1, 4}, {0, 0, 2}, 100)->distance, 0.5);
+  EXPECT_EQ(database->intersect({1, 1, 4}, {0.5, 0, 2}, 100)->distance, 0.5);
+  EXPECT_FALSE(database->intersect({1, 1, 4}, {0.5, 0, 2}, 0.49));
+  EXPECT_TRUE(database->intersect({1, 1, 4}, {1e-320, 0, 2}, 100));
+  EXPECT_TRUE(database->intersect({1, 1, 4}, {0.5e300, 0, 2e300}, 100));
+}
