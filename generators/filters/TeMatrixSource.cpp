@@ -59,6 +59,8 @@ float TeMatrixSource::mean(const float* heights, const double* coefficients, int
 
 TeStatus TeMatrixSource::evaluate(const TeMapRequest& request, const TeMapSample* samples, std::size_t count,
                                   float* heights) const {
+  if (!pointEvaluable())
+    return TeHeightSource::evaluate(request, samples, count, heights);
   const TeMapRequest wider = inputRequest(request);
   const int r = m_matrix.radius();
   std::vector<TeMapSample> around;
