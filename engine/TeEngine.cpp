@@ -136,7 +136,7 @@ TePatchGraphBuilder* TeEngine::getGraphBuilder() {
     return nullptr;
   }
   if (!m_graphs)
-    m_graphs = std::make_unique<TePatchGraphBuilder>(m_lattice, glm::dvec2(m_origin[0], m_origin[1]));
+    m_graphs = std::make_unique<TePatchGraphBuilder>(glm::dvec2(m_origin[0], m_origin[1]));
   return m_graphs.get();
 }
 

@@ -1,5 +1,8 @@
 #include "nodes/TeNodes.h"
 
+#include "nodes/terrain/SoTeStaticTerrain.h"
+#include "nodes/terrain/SoTeTerrainDetail.h"
+
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInteraction.h>
 #include <Inventor/nodekits/SoNodeKit.h>
@@ -8,4 +11,6 @@ void TeNodes::init() {
   SoDB::init();
   SoNodeKit::init();
   SoInteraction::init();
+  SoTeTerrainDetail::initClass();
+  SoTeStaticTerrain::initClass();
 }

@@ -18,20 +18,10 @@ std::uint32_t packed(const glm::vec3& colour) {
   return part(colour.r) << 24 | part(colour.g) << 16 | part(colour.b) << 8 | 0xFF;
 }
 
-/// World coordinates of the columns or rows of a mesh: the lattice's own, so that any two pieces agree.
-std::vector<double> worldCoordinates(const TeLattice& lattice, double first, int count, int level) {
-  double fraction = 0;
-  const std::int64_t sample = lattice.sampleBelow(first + 0.5 * lattice.spacing(), fraction);
-  std::vector<double> coordinates;
-  for (std::int64_t i = 0; i < count; i++)
-    coordinates.push_back(lattice.position(sample + i * (std::int64_t(1) << level)));
-  return coordinates;
-}
-
 } // namespace
 
-TePatchGraphBuilder::TePatchGraphBuilder(const TeLattice& lattice, glm::dvec2 anchor)
-    : m_lattice(lattice), m_anchor(anchor), m_translation(new SoTranslation), m_hints(new SoShapeHints),
+TePatchGraphBuilder::TePatchGraphBuilder(glm::dvec2 anchor)
+    : m_anchor(anchor), m_translation(new SoTranslation), m_hints(new SoShapeHints),
       m_normalBinding(new SoNormalBinding), m_materialBinding(new SoMaterialBinding),
       m_textureBinding(new SoTextureCoordinateBinding) {
   m_hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
@@ -66,9 +56,10 @@ TeStatus TePatchGraphBuilder::setImage(const TePicture& image, const TeWorldRect
 }
 
 TeNodePtr<SoSeparator> TePatchGraphBuilder::build(const TePatchMesh& mesh) const {
-  assert(mesh.positions.size() == std::size_t(mesh.columns) * mesh.rows);
   assert(mesh.normals.size() == mesh.positions.size());
   TeNodePtr<SoSeparator> piece(new SoSeparator);
+  if (mesh.strips.empty())
+    return piece;
   piece->addChild(m_translation.get());
   piece->addChild(m_hints.get());
   piece->addChild(m_normalBinding.get());
@@ -79,17 +70,13 @@ TeNodePtr<SoSeparator> TePatchGraphBuilder::build(const TePatchMesh& mesh) const
   else
     addColours(*piece, mesh);
 
-  const std::vector<double> xs = worldCoordinates(m_lattice, mesh.origin.x, mesh.columns, mesh.key.level);
-  const std::vector<double> ys = worldCoordinates(m_lattice, mesh.origin.y, mesh.rows, mesh.key.level);
   auto* coordinates = new SoCoordinate3;
   coordinates->point.setNum(int(mesh.positions.size()));
   SbVec3f* point = coordinates->point.startEditing();
-  for (int row = 0; row < mesh.rows; row++) {
-    for (int column = 0; column < mesh.columns; column++, point++) {
-      const float z = mesh.positions[std::size_t(row) * mesh.columns + column].z;
-      point->setValue(float(xs[column] - m_anchor.x), float(ys[row] - m_anchor.y), z);
-    }
-  }
+  // Origin + position is the same double in all pieces that share a vertex, and so is all that follows.
+  for (const glm::vec3& position : mesh.positions)
+    (point++)->setValue(float(mesh.origin.x + position.x - m_anchor.x),
+                        float(mesh.origin.y + position.y - m_anchor.y), position.z);
   coordinates->point.finishEditing();
   piece->addChild(coordinates);
 
@@ -121,17 +108,13 @@ void TePatchGraphBuilder::addColours(SoSeparator& piece, const TePatchMesh& mesh
 void TePatchGraphBuilder::addTextureCoordinates(SoSeparator& piece, const TePatchMesh& mesh) const {
   piece.addChild(m_image.get());
   piece.addChild(m_textureBinding.get());
-  const std::vector<double> xs = worldCoordinates(m_lattice, mesh.origin.x, mesh.columns, mesh.key.level);
-  const std::vector<double> ys = worldCoordinates(m_lattice, mesh.origin.y, mesh.rows, mesh.key.level);
   const glm::dvec2 size = m_imageRect.northEast - m_imageRect.southWest;
   auto* coordinates = new SoTextureCoordinate2;
-  coordinates->point.setNum(mesh.columns * mesh.rows);
+  coordinates->point.setNum(int(mesh.positions.size()));
   SbVec2f* point = coordinates->point.startEditing();
-  for (double y : ys) {
-    for (double x : xs)
-      (point++)->setValue(float((x - m_imageRect.southWest.x) / size.x),
-                          float((y - m_imageRect.southWest.y) / size.y));
-  }
+  for (const glm::vec3& position : mesh.positions)
+    (point++)->setValue(float((mesh.origin.x + position.x - m_imageRect.southWest.x) / size.x),
+                        float((mesh.origin.y + position.y - m_imageRect.southWest.y) / size.y));
   coordinates->point.finishEditing();
   piece.addChild(coordinates);
 }

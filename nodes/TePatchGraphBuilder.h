@@ -1,9 +1,9 @@
 #pragma once
 
-#include "generators/TeLattice.h"
 #include "nodes/TeNodePtr.h"
 #include "nodes/TePicture.h"
 #include "nodes/TeSurfaceColours.h"
+#include "nodes/TeWorldRect.h"
 #include "patchdb/TePatchMesh.h"
 
 #include <Inventor/nodes/SoBaseColor.h>
@@ -19,12 +19,6 @@
 
 #include <array>
 
-/// A rectangle of the world, metres.
-struct TeWorldRect {
-  glm::dvec2 southWest{0};
-  glm::dvec2 northEast{0};
-};
-
 /// Makes scene graphs of pieces of the surface from Coin's own nodes alone, so that any Inventor program can
 /// draw, pick and write them.
 ///
@@ -37,10 +31,8 @@ struct TeWorldRect {
 /// draped), and is independent of the mesh afterwards.
 class TePatchGraphBuilder {
 public:
-  /// `lattice` is the meshes' own.
-  TePatchGraphBuilder(const TeLattice& lattice, glm::dvec2 anchor);
+  explicit TePatchGraphBuilder(glm::dvec2 anchor);
 
-  const TeLattice& lattice() const { return m_lattice; }
   glm::dvec2 anchor() const { return m_anchor; }
   /// The point of the world that is the scene's (0, 0, 0); the anchor at first. Moves pieces made before,
   /// too.
@@ -53,7 +45,7 @@ public:
   /// what lies outside shows the image's rim. Error: an empty image or rectangle.
   TeStatus setImage(const TePicture& image, const TeWorldRect& rect);
 
-  /// The scene graph of a piece.
+  /// The scene graph of a piece; without a shape if the mesh has no triangles.
   TeNodePtr<SoSeparator> build(const TePatchMesh& mesh) const;
   /// A level sheet of water at a height.
   TeNodePtr<SoSeparator> water(const TeWorldRect& rect, float height) const;
@@ -62,7 +54,6 @@ private:
   void addColours(SoSeparator& piece, const TePatchMesh& mesh) const;
   void addTextureCoordinates(SoSeparator& piece, const TePatchMesh& mesh) const;
 
-  TeLattice m_lattice;
   glm::dvec2 m_anchor;
   TeSurfaceColours m_colours;
   bool m_showParts = false;

@@ -46,14 +46,15 @@ std::string fileText(const std::string& path) {
 } // namespace
 
 TEST(TePatchGraphBuilder, DrawsEveryTriangleOfTheMesh) {
-  const TePatchGraphBuilder builder(lattice(65, 1), {0, 0});
-  const auto piece = builder.build(gridMesh(builder.lattice(), 0, 0, 31, 29, hills));
+  const TeLattice grid = lattice(65, 1);
+  const TePatchGraphBuilder builder({0, 0});
+  const auto piece = builder.build(gridMesh(grid, 0, 0, 31, 29, hills));
   EXPECT_EQ(triangles(piece.get()), 2 * 30 * 28);
 }
 
 TEST(TePatchGraphBuilder, PlacesVerticesInTheWorld) {
   const TeLattice grid = lattice(9, 2.5);
-  TePatchGraphBuilder builder(grid, {100, -50});
+  TePatchGraphBuilder builder({100, -50});
   builder.setWorldOrigin({90, -60, 3});
   const auto piece = builder.build(gridMesh(grid, 40, 40, 3, 3, [](double, double) { return 7.0f; }));
   SoGetBoundingBoxAction bounds(SbViewportRegion(10, 10));
@@ -71,7 +72,7 @@ TEST(TePatchGraphBuilder, SharedVerticesAreTheSameBits) {
   for (const double spacing : {0.1, 1.0, 0.3333333, 92.7}) {
     for (const std::int64_t first : {std::int64_t(0), std::int64_t(-977), std::int64_t(1) << 40}) {
       const TeLattice grid = lattice(65, spacing);
-      const TePatchGraphBuilder builder(grid, {grid.position(first + 20), grid.position(7)});
+      const TePatchGraphBuilder builder({grid.position(first + 20), grid.position(7)});
       const auto left = builder.build(gridMesh(grid, first, 0, 31, 31, hills));
       const auto right = builder.build(gridMesh(grid, first + 30, 0, 3, 31, hills));
       const SbVec3f* a = find<SoCoordinate3>(left.get())->point.getValues(0);
@@ -86,7 +87,7 @@ TEST(TePatchGraphBuilder, SharedVerticesAreTheSameBits) {
 
 TEST(TePatchGraphBuilder, WrittenPiecesReadBackTheSame) {
   const TeLattice grid = lattice(9, 0.7);
-  TePatchGraphBuilder builder(grid, {0.3, 0.2});
+  TePatchGraphBuilder builder({0.3, 0.2});
   const auto piece = builder.build(gridMesh(grid, 3, 5, 5, 4, hills));
   const std::string path = testing::TempDir() + "piece.iv";
   const std::string again = testing::TempDir() + "again.iv";
@@ -107,8 +108,9 @@ TEST(TePatchGraphBuilder, WrittenPiecesReadBackTheSame) {
 }
 
 TEST(TePatchGraphBuilder, FailingWritesNameTheFile) {
-  const TePatchGraphBuilder builder(lattice(9, 1), {0, 0});
-  const auto piece = builder.build(gridMesh(builder.lattice(), 0, 0, 9, 9, hills));
+  const TeLattice grid = lattice(9, 1);
+  const TePatchGraphBuilder builder({0, 0});
+  const auto piece = builder.build(gridMesh(grid, 0, 0, 9, 9, hills));
   for (const char* path : {"/nonexistent/folder/a.iv", "/dev/full"}) {
     const TeStatus status = teWriteScene(piece.get(), path);
     ASSERT_FALSE(status) << path;
@@ -117,9 +119,10 @@ TEST(TePatchGraphBuilder, FailingWritesNameTheFile) {
 }
 
 TEST(TePatchGraphBuilder, PartsHaveColoursOfTheirOwn) {
-  TePatchGraphBuilder builder(lattice(9, 1), {0, 0});
+  const TeLattice grid = lattice(9, 1);
+  TePatchGraphBuilder builder({0, 0});
   builder.setShowParts(true);
-  TePatchMesh mesh = gridMesh(builder.lattice(), 0, 0, 3, 3, hills);
+  TePatchMesh mesh = gridMesh(grid, 0, 0, 3, 3, hills);
   std::vector<SbColor> colours;
   for (TeSurfacePart part : {TeSurfacePart::Patch, TeSurfacePart::Seam, TeSurfacePart::Corner}) {
     mesh.part = part;
@@ -132,7 +135,7 @@ TEST(TePatchGraphBuilder, PartsHaveColoursOfTheirOwn) {
 
 TEST(TePatchGraphBuilder, ImageSpansItsRectangle) {
   const TeLattice grid = lattice(9, 1);
-  TePatchGraphBuilder builder(grid, {0, 0});
+  TePatchGraphBuilder builder({0, 0});
   TePicture image;
   image.width = image.height = 2;
   image.rgba.assign(16, 200);
@@ -150,7 +153,7 @@ TEST(TePatchGraphBuilder, ImageSpansItsRectangle) {
 }
 
 TEST(TePatchGraphBuilder, WaterIsLevel) {
-  const TePatchGraphBuilder builder(lattice(9, 1), {10, 20});
+  const TePatchGraphBuilder builder({10, 20});
   const auto sheet = builder.water({{0, 0}, {30, 60}}, 5);
   SoGetBoundingBoxAction bounds(SbViewportRegion(10, 10));
   bounds.apply(sheet.get());

@@ -12,12 +12,15 @@ inline TePatchMesh gridMesh(const TeLattice& lattice, std::int64_t firstX, std::
   TePatchMesh mesh;
   mesh.columns = columns;
   mesh.rows = rows;
-  mesh.origin = {lattice.position(firstX), lattice.position(firstY), 0};
+  const auto place = [&](std::int64_t sample) {
+    return teMeshCoordinate(lattice, 0, lattice.position(sample));
+  };
+  mesh.origin = {place(firstX), place(firstY), 0};
   for (int row = 0; row < rows; row++) {
     for (int column = 0; column < columns; column++) {
-      const double x = lattice.position(firstX + column);
-      const double y = lattice.position(firstY + row);
-      mesh.positions.emplace_back(column * lattice.spacing(), row * lattice.spacing(), height(x, y));
+      const double x = place(firstX + column);
+      const double y = place(firstY + row);
+      mesh.positions.emplace_back(x - mesh.origin.x, y - mesh.origin.y, height(x, y));
       mesh.normals.emplace_back(0, 0, 1);
     }
   }
