@@ -6,12 +6,14 @@
 #include "generators/circles/TeCirclesJob.h"
 
 #include <algorithm>
-#include <cmath>
+#include <vector>
 
 namespace {
 
 constexpr double kMinRadius = 1;
 constexpr double kMaxRadius = 16384;
+constexpr double kMaxMapInstead = 0x1p20; // samples of a map that evaluate() may make
+constexpr double kMapInstead = 0.1;       // part of its samples from which on that is cheaper
 
 /// Uniform in 0 .. bound-1 from 32 random bits.
 std::int64_t scaled(std::uint32_t random, std::int64_t bound) {
@@ -53,7 +55,7 @@ TeCircle TeCircles::circle(const TeMapRequest& request, const TeRandom& random, 
   circle.radius = std::clamp(metres / request.spacing, kMinRadius, kMaxRadius);
   circle.height = float(m_parameters.height * (metres / m_parameters.largest) * v);
   // In 1/256 of a sample from the outer corner of the margin; sample (0, 0) is at margin + 128.
-  const std::int64_t margin = std::int64_t(std::ceil(256 * circle.radius));
+  const std::int64_t margin = std::int64_t(256 * circle.radius) + 1;
   const std::int64_t x =
       scaled(std::uint32_t(place), std::int64_t(request.columns) * 256 + 2 * margin) - margin - 128;
   const std::int64_t y =
@@ -67,15 +69,34 @@ TeCircle TeCircles::circle(const TeMapRequest& request, const TeRandom& random, 
 
 TeStatus TeCircles::evaluate(const TeMapRequest& request, const TeMapSample* samples, std::size_t count,
                              float* heights) const {
+  const double area = double(request.columns) * double(request.rows);
+  if (area <= kMaxMapInstead && double(count) > kMapInstead * area) {
+    const TeResult<TeHeightMap> map = generate(request);
+    if (!map)
+      return map.error();
+    for (std::size_t i = 0; i < count; ++i)
+      heights[i] = map->at(samples[i].column, samples[i].row);
+    return {};
+  }
   const TeFloatEnvironment environment;
   const TeRandom stream = random(request);
-  std::fill(heights, heights + count, 0.0f);
+  std::vector<std::int32_t> columns(count);
+  std::vector<std::int32_t> rows(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    columns[i] = samples[i].column;
+    rows[i] = samples[i].row;
+    heights[i] = 0;
+  }
   for (int index = 0; index < m_parameters.circles; ++index) {
     const TeCircle c = circle(request, stream, index);
     const float scale = c.inverseSquareRadius();
+    const std::int32_t column = std::int32_t(c.column);
+    const std::int32_t row = std::int32_t(c.row);
+    const std::int32_t* const x = columns.data();
+    const std::int32_t* const y = rows.data();
     for (std::size_t i = 0; i < count; ++i)
       heights[i] +=
-          TeCircle::hill(c.fromCentreX(samples[i].column), c.fromCentreY(samples[i].row), scale, c.height);
+          TeCircle::hill(float(x[i] - column) - c.eastward, float(y[i] - row) - c.northward, scale, c.height);
   }
   return {};
 }

@@ -14,7 +14,8 @@
 /// covered as any other. Maps of any size. A sample is the sum of its hills in the order of the circles, in
 /// single precision. Evaluable at scattered samples.
 ///
-/// Cost: the circles' areas. Memory: the map. A point: one hill a circle after drawing all circles.
+/// Cost: the circles' areas. Memory: the map. A point: one hill a circle after drawing all circles;
+/// many points at most a map.
 class TeCircles final : public TeHeightSource {
 public:
   /// Error: a parameter out of its range; the least radius greater than the greatest.

@@ -12,6 +12,7 @@ namespace {
 constexpr double kMaxSum = 0x1p24;
 constexpr double kMinRamp = 1;
 constexpr double kMaxRamp = 4096;
+constexpr double kMaxMapInstead = 0x1p20; // samples of a map that evaluate() may make
 
 /// Uniform in 0 .. bound-1 from 32 random bits.
 std::int64_t scaled(std::uint32_t random, std::int64_t bound) {
@@ -99,8 +100,23 @@ std::unique_ptr<TeHeightJob> TeFaultFormation::start(const TeMapRequest& request
                                       request);
 }
 
+// A crossing costs about as much as one side test, a smooth one as seven.
+bool TeFaultFormation::mapIsCheaper(const TeMapRequest& request, std::size_t count) const {
+  const double area = double(request.columns) * double(request.rows);
+  const double map = double(faults()) * request.rows * (m_smooth ? 7 : 1) + area;
+  return area <= kMaxMapInstead && double(count) * faults() > map;
+}
+
 TeStatus TeFaultFormation::evaluate(const TeMapRequest& request, const TeMapSample* samples,
                                     std::size_t count, float* heights) const {
+  if (mapIsCheaper(request, count)) {
+    const TeResult<TeHeightMap> map = generate(request);
+    if (!map)
+      return map.error();
+    for (std::size_t i = 0; i < count; ++i)
+      heights[i] = map->at(samples[i].column, samples[i].row);
+    return {};
+  }
   const TeFloatEnvironment environment;
   const TeRandom stream = random(request);
   std::vector<std::int64_t> sums(count, 0);

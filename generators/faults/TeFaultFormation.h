@@ -16,7 +16,7 @@
 ///
 /// Cost, W×H samples and N faults: N·H crossings and W·H additions (smooth profile: three crossings, of
 /// difference arrays of third order). Memory: the map and 200 bytes a fault. A point: N side tests after
-/// drawing N faults.
+/// drawing N faults; many points at most a map.
 class TeFaultFormation final : public TeHeightSource {
 public:
   /// Error: a parameter out of its range.
@@ -50,6 +50,7 @@ public:
 
 private:
   explicit TeFaultFormation(TeFaultParameters parameters);
+  bool mapIsCheaper(const TeMapRequest& request, std::size_t count) const;
 
   TeFaultParameters m_parameters;
   bool m_smooth;
