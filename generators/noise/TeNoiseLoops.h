@@ -13,8 +13,8 @@ namespace {
 
 constexpr int kBlock = 256; ///< samples worked on together; their arrays fit the first-level cache
 constexpr int kFractionBits = 52;
-constexpr std::uint64_t kFractionMask = (std::uint64_t(1) << kFractionBits) - 1;
 constexpr std::uint64_t kCellFactor = 0x9E3779B97F4A7C15ull;
+constexpr std::uint64_t kFractionMask = (std::uint64_t(1) << kFractionBits) - 1;
 
 std::uint64_t cellOf(TeNoiseCoordinate coordinate) { return std::uint64_t(coordinate >> 64); }
 std::uint64_t fractionOf(TeNoiseCoordinate coordinate) {
@@ -33,9 +33,9 @@ inline double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0);
 
 /// sin(angle·π·2^-31) within 0.0011: a parabola, corrected by its own square.
 inline double sineOf(std::int32_t angle) {
-  const double t = double(angle) * 0x1p-31;
-  const double y = 4.0 * t * (1.0 - __builtin_fabs(t));
-  return y + 0.225 * (y * __builtin_fabs(y) - y);
+  const double a = double(angle);
+  const double y = a * (0x1p-29 - 0x1p-60 * __builtin_fabs(a));
+  return y * (0.775 + 0.225 * __builtin_fabs(y));
 }
 
 inline double sine(std::uint32_t angle) { return sineOf(std::int32_t(angle)); }
@@ -277,23 +277,23 @@ void ridged(const Samples& samples, const TeNoisePlan& plan, double* __restrict 
 /// Moves one coordinate of positions by a·perA + b·perB cells; less than 2^51.
 void displace(std::uint64_t* __restrict cell, std::uint64_t* __restrict fraction, const double* __restrict a,
               double perA, const double* __restrict b, double perB, int count) {
-  // Adding this leaves a number rounded to an integer in the low bits: the conversion that SSE2 and AVX2
+  // Adding this leaves a number, rounded to an integer, in the low bits: the conversion that SSE2 and AVX2
   // lack.
   constexpr double kRounder = 0x1.8p52;
+  constexpr std::uint64_t kRounderBits = 0x4338000000000000ull;
+  constexpr std::uint64_t kOneCell = std::uint64_t(1) << kFractionBits;
   for (int j = 0; j < count; ++j) {
     const double cells = a[j] * perA + b[j] * perB;
-    const double nearest = (cells + kRounder) - kRounder;
-    const double whole = nearest > cells ? nearest - 1.0 : nearest;
-    const double wholeBits = whole + kRounder;
-    const double partBits = (cells - whole) * 0x1p50 + kRounder;
-    std::uint64_t steps;
-    std::uint64_t part;
-    std::uint64_t zero;
-    std::memcpy(&steps, &wholeBits, sizeof steps);
-    std::memcpy(&part, &partBits, sizeof part);
-    std::memcpy(&zero, &kRounder, sizeof zero);
-    const std::uint64_t sum = fraction[j] + ((part - zero) << (kFractionBits - 50));
-    cell[j] += (steps - zero) + (sum >> kFractionBits);
+    const double wholeInBits = cells + kRounder;
+    const double part = cells - (wholeInBits - kRounder); // exact, at most half a cell either way
+    const double partInBits = part * 0x1p50 + kRounder;
+    std::uint64_t wholeBits;
+    std::uint64_t partBits;
+    std::memcpy(&wholeBits, &wholeInBits, sizeof wholeBits);
+    std::memcpy(&partBits, &partInBits, sizeof partBits);
+    // A cell more, so that the sum is positive and its shift a floor.
+    const std::uint64_t sum = fraction[j] + ((partBits - kRounderBits) << (kFractionBits - 50)) + kOneCell;
+    cell[j] += (wholeBits - kRounderBits) + (sum >> kFractionBits) - 1;
     fraction[j] = sum & kFractionMask;
   }
 }

@@ -62,7 +62,8 @@ TeNoisePlan::TeNoisePlan(const TeNoiseSettings& settings, std::uint64_t worldSee
     return TeRandom(worldSeed, teHashCombine(domain, number), TeMapKey{});
   };
   const double amplitude = type == TeNoiseType::Ridged ? 2 * settings.amplitude : settings.amplitude * kUnit;
+  const double displacement = settings.warp * settings.wavelength * kUnit;
   setOctaves(octaves, octaveCount, settings, amplitude, field(0), spacing);
-  setOctaves(warpX, warpOctaveCount, settings, settings.warp * kUnit, field(1), spacing);
-  setOctaves(warpY, warpOctaveCount, settings, settings.warp * kUnit, field(2), spacing);
+  setOctaves(warpX, warpOctaveCount, settings, displacement, field(1), spacing);
+  setOctaves(warpY, warpOctaveCount, settings, displacement, field(2), spacing);
 }

@@ -42,8 +42,8 @@ struct TeNoiseOctave {
 /// * Fbm: height = A·Σ a_k·m_k.
 /// * Ridged (Musgrave 1994): s_k = (1 - |m_k|)²·w_k, w_0 = 1, w_(k+1) = min(1, sharpness·s_k);
 ///   height = A·(2·Σ a_k·s_k - 1).
-/// * Warp: the Fbm height at (x + dx, y + dy), dx and dy two further Fbm fields of amplitude `warp` and
-///   `warpOctaves` octaves.
+/// * Warp: the Fbm height at (x + dx, y + dy), dx and dy two further Fbm fields of amplitude
+///   warp·wavelength and `warpOctaves` octaves.
 ///
 /// The wavelength of octave k is wavelength / lacunarity^k. Its lattice has an angle and a random offset of
 /// its own, so that neither the axes along which gradient noise is stiff nor the points where it is zero fall

@@ -1,6 +1,6 @@
 #include "generators/noise/TeNoiseSettings.h"
 
-// Wavelength, lacunarity, octaves and warp together keep every displacement below 2^51 lattice cells.
+// Lacunarity, octaves and warp together keep every displacement below 2^51 lattice cells.
 TeParameters TeNoiseSettings::parameters() {
   return {
       {"octaves", &octaves, 1, kMaxOctaves, {}, "number of octaves"},
@@ -14,7 +14,7 @@ TeParameters TeNoiseSettings::parameters() {
        "each octave's wavelength is that of the one before divided by this"},
       {"gain", &gain, 0, 1, {}, "each octave's amplitude is that of the one before times this"},
       {"sharpness", &sharpness, 0, 16, {}, "ridged: how strongly crests keep later octaves to themselves"},
-      {"warp", &warp, 0, 1e5, {}, "warp: largest displacement, metres"},
+      {"warp", &warp, 0, 16, {}, "warp: largest displacement, wavelengths"},
       {"warp-octaves", &warpOctaves, 1, kMaxOctaves, {}, "warp: octaves of the displacement"},
       {"seed", &seed, 0, 0, {}, "tells apart noises of one world"},
   };

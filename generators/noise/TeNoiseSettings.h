@@ -21,7 +21,7 @@ struct TeNoiseSettings {
   double lacunarity = 2;   ///< ratio of the wavelengths of successive octaves
   double gain = 0.5;       ///< ratio of the amplitudes of successive octaves
   double sharpness = 2;    ///< of Ridged: weight of an octave per signal of the one before
-  double warp = 80;        ///< of Warp: the largest displacement in x and in y, metres
+  double warp = 0.2;       ///< of Warp: the largest displacement in x and in y, wavelengths
   int warpOctaves = 3;     ///< of Warp: octaves of the displacement; its first has the wavelength above
   std::uint64_t seed = 0;  ///< tells apart noises of one world
 

@@ -19,7 +19,7 @@ TeNoiseSettings settingsOf(TeNoiseType type, double wavelength, double lacunarit
   settings.type = type;
   settings.wavelength = wavelength;
   settings.lacunarity = lacunarity;
-  settings.warp = wavelength;
+  settings.warp = 1;
   return settings;
 }
 

@@ -107,8 +107,9 @@ TeQuad TeNoiseReference::height(std::int64_t halfX, std::int64_t halfY) const {
   TeQuad east = 0;
   TeQuad north = 0;
   if (m_settings.type == TeNoiseType::Warp) {
-    east = m_settings.warp * field(m_plan.warpX, m_settings.warpOctaves, halfX, halfY);
-    north = m_settings.warp * field(m_plan.warpY, m_settings.warpOctaves, halfX, halfY);
+    const TeQuad displacement = TeQuad(m_settings.warp) * m_settings.wavelength;
+    east = displacement * field(m_plan.warpX, m_settings.warpOctaves, halfX, halfY);
+    north = displacement * field(m_plan.warpY, m_settings.warpOctaves, halfX, halfY);
   }
   TeQuad sum = 0;
   TeQuad weights = 0;

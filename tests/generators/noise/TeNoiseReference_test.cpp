@@ -78,7 +78,7 @@ TEST(TeNoiseReference, HoldsForOtherSettings) {
   settings.amplitude = 313.3;
   settings.lacunarity = 1.93;
   settings.gain = 0.61;
-  settings.warp = 777;
+  settings.warp = 0.85;
   settings.warpOctaves = 5;
   settings.seed = 99;
   for (TeNoiseType type : {TeNoiseType::Fbm, TeNoiseType::Ridged, TeNoiseType::Warp})

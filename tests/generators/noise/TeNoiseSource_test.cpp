@@ -187,12 +187,12 @@ TEST(TeNoiseSource, UnusableSettingsAreErrorsThatNameTheParameter) {
 
 TEST(TeNoiseSource, IsInTheRegistry) {
   const TeMapRequest request = *TeMapRequest::standalone(20, 30, 1.0, 1);
-  const auto source = TeGeneratorRegistry::instance().source("noise:type=warp,octaves=3,warp=10,seed=5");
+  const auto source = TeGeneratorRegistry::instance().source("noise:type=warp,octaves=3,warp=0.1,seed=5");
   ASSERT_TRUE(source.ok()) << source.error().message;
   TeNoiseSettings settings;
   settings.type = TeNoiseType::Warp;
   settings.octaves = 3;
-  settings.warp = 10;
+  settings.warp = 0.1;
   settings.seed = 5;
   EXPECT_EQ(*(*source)->generate(request), *(*TeNoiseSource::create(settings))->generate(request));
 }
@@ -206,7 +206,7 @@ TEST(TeNoiseSource, ExtremeSettingsGiveFiniteHeights) {
       settings.wavelength = wavelength;
       settings.lacunarity = 4;
       settings.gain = 1;
-      settings.warp = 1e5;
+      settings.warp = 16;
       settings.amplitude = 1e6;
       TeMapRequest request = *TeMapRequest::standalone(70, 5, spacing, 1);
       const TeMapStatistics s = (*(*TeNoiseSource::create(settings))->generate(request)).statistics();
