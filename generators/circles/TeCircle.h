@@ -1,6 +1,6 @@
 #pragma once
 
-#include <cmath>
+#include <cstddef>
 #include <cstdint>
 
 /// One hill of the circles algorithm in a map: a cosine over a circle,
@@ -19,18 +19,10 @@ struct TeCircle {
   double radius = 1; ///< samples, 1 .. 16384
   float height = 0;  ///< metres, negative in a hollow
 
-  /// Distances of a column and a row from the centre, in samples; exact within the radius.
-  float fromCentreX(std::int64_t x) const { return float(x - column) - eastward; }
-  float fromCentreY(std::int64_t y) const { return float(y - row) - northward; }
-  float inverseSquareRadius() const { return float(1.0 / (radius * radius)); }
-
-  /// The hill at dx, dy; `scale` is inverseSquareRadius().
-  static float hill(float dx, float dy, float scale, float height) {
-    const float q = (dx * dx + dy * dy) * scale;
-    const float rest = 1.0f - q;
-    const float t = 0.5f * (rest + std::fabs(rest)); // the positive part, exact, without a branch
-    const float g =
-        1.0f + q * (-0.467396855f + q * (0.0945197507f + q * (-0.0110260951f + q * 0.000753640876f)));
-    return (t * t) * (g * height);
-  }
+  /// The hill in a sample within ±2^30 of the centre; offsets from the centre are exact within the radius.
+  float at(std::int64_t x, std::int64_t y) const;
+  /// Adds the hill to `count` samples of row y, from column x on.
+  void addToRun(std::int64_t x, std::int64_t y, int count, float* heights) const;
+  /// Adds the hill to the samples (x[i], y[i]).
+  void addToPoints(const std::int32_t* x, const std::int32_t* y, std::size_t count, float* heights) const;
 };

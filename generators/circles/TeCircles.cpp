@@ -87,16 +87,7 @@ TeStatus TeCircles::evaluate(const TeMapRequest& request, const TeMapSample* sam
     rows[i] = samples[i].row;
     heights[i] = 0;
   }
-  for (int index = 0; index < m_parameters.circles; ++index) {
-    const TeCircle c = circle(request, stream, index);
-    const float scale = c.inverseSquareRadius();
-    const std::int32_t column = std::int32_t(c.column);
-    const std::int32_t row = std::int32_t(c.row);
-    const std::int32_t* const x = columns.data();
-    const std::int32_t* const y = rows.data();
-    for (std::size_t i = 0; i < count; ++i)
-      heights[i] +=
-          TeCircle::hill(float(x[i] - column) - c.eastward, float(y[i] - row) - c.northward, scale, c.height);
-  }
+  for (int index = 0; index < m_parameters.circles; ++index)
+    circle(request, stream, index).addToPoints(columns.data(), rows.data(), count, heights);
   return {};
 }

@@ -57,18 +57,12 @@ void TeCirclesJob::nextCircle() {
 }
 
 int TeCirclesJob::addRow(int row) {
-  const float dy = m_circle.fromCentreY(row);
+  const double dy = double(row) - double(m_circle.row) - double(m_circle.northward);
   // A sample more on both sides than the chord: outside, the hill is exactly 0.
-  const double chord = std::sqrt(std::max(0.0, m_circle.radius * m_circle.radius - double(dy) * double(dy)));
+  const double chord = std::sqrt(std::max(0.0, m_circle.radius * m_circle.radius - dy * dy));
   const double x = double(m_circle.column) + double(m_circle.eastward);
   const Range columns = clipped(x - chord - 1, x + chord + 1, m_request.columns);
-  const float scale = m_circle.inverseSquareRadius();
-  const float height = m_circle.height;
-  const float eastward = m_circle.eastward;
-  const int first = int(columns.begin - m_circle.column);
   const int count = columns.end - columns.begin;
-  float* const samples = m_map.row(row) + columns.begin;
-  for (int i = 0; i < count; ++i)
-    samples[i] += TeCircle::hill(float(first + i) - eastward, dy, scale, height);
+  m_circle.addToRun(columns.begin, row, count, m_map.row(row) + columns.begin);
   return count;
 }

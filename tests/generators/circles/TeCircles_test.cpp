@@ -27,8 +27,7 @@ TeHeightMap plainLoop(const TeCircles& source, const TeMapRequest& request) {
     const TeCircle circle = source.circle(request, source.random(request), i);
     for (int r = 0; r < request.rows; ++r)
       for (int c = 0; c < request.columns; ++c)
-        map.at(c, r) += TeCircle::hill(circle.fromCentreX(c), circle.fromCentreY(r),
-                                       circle.inverseSquareRadius(), circle.height);
+        map.at(c, r) += circle.at(c, r);
   }
   return map;
 }
@@ -81,15 +80,24 @@ TEST(TeCircles, ScatteredSamplesHaveTheBitsOfTheMap) {
 
 TEST(TeCircles, AHillIsACosineOverItsCircle) {
   const double pi = std::acos(-1.0);
-  for (double radius : {1.0, 7.3, 1000.0})
-    for (int i = 0; i <= 1000; ++i) {
-      const double d = 1.2 * radius * i / 1000;
+  for (double radius : {1.0, 7.3, 16384.0}) {
+    TeCircle circle;
+    circle.column = 3;
+    circle.row = -2;
+    circle.eastward = 0.25f;
+    circle.northward = 0.5f;
+    circle.radius = radius;
+    circle.height = 10;
+    const int reach = int(1.2 * radius) + 3;
+    for (int x = -reach; x <= reach; x += 1 + reach / 500) {
+      const double d = std::hypot(x - 0.25, 1.0 - 0.5);
       const double expected = d < radius ? 5 * (1 + std::cos(pi * d / radius)) : 0;
-      EXPECT_NEAR(TeCircle::hill(float(d), 0, float(1 / (radius * radius)), 10), expected, 1e-5) << d;
+      EXPECT_NEAR(circle.at(3 + x, -1), expected, 4e-6) << radius << " " << x;
       if (d > 1.001 * radius) {
-        EXPECT_EQ(TeCircle::hill(float(d), 0, float(1 / (radius * radius)), 10), 0.0f);
+        EXPECT_EQ(circle.at(3 + x, -1), 0.0f);
       }
     }
+  }
 }
 
 TEST(TeCircles, BordersAreCoveredLikeTheMiddle) {
