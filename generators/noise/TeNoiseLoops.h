@@ -133,23 +133,28 @@ void noiseAt(const Positions& at, const TeNoiseOctave& octave, int count, double
   }
 }
 
-/// Where a coordinate that grows by less than a cell a sample enters new cells.
+/// Where a coordinate that grows by less than a cell a sample enters new cells. Without branches: they would
+/// be mispredicted at every other cell.
 class Crossings {
 public:
-  Crossings(std::uint64_t fraction, std::uint64_t step, int count) : m_step(step) {
-    const std::uint64_t never = std::uint64_t(count);
-    m_perCell = step == 0 ? never : ~std::uint64_t(0) / step;
-    const std::uint64_t first = step == 0 ? never : ~fraction / step + 1;
-    m_next = first < never ? first : never;
+  Crossings(std::uint64_t fraction, std::uint64_t step, std::uint64_t count) : m_step(step) {
+    const std::uint64_t inCell = step == 0 ? count : ~std::uint64_t(0) / step;
+    const std::uint64_t first = step == 0 ? count : ~fraction / step + 1;
+    m_perCell = inCell < count ? inCell : count;
+    m_next = first < count ? first : count;
     m_fraction = fraction + m_next * step;
   }
 
-  std::uint64_t next() const { return m_next; } ///< the first sample in the next cell
-  void advance() {
-    const std::uint64_t end = m_fraction + m_perCell * m_step;
-    const std::uint64_t samples = m_perCell + (end >= m_fraction);
-    m_next += samples;
-    m_fraction += samples * m_step;
+  /// The first sample in the next cell.
+  std::uint64_t next() const { return m_next; }
+  /// Goes on to the cell after that, if this is where sample j is.
+  std::uint64_t passIf(bool here) {
+    const std::uint64_t mask = 0 - std::uint64_t(here);
+    const std::uint64_t advance = m_perCell * m_step;
+    const std::uint64_t oneMore = m_fraction + advance >= m_fraction;
+    m_next += (m_perCell + oneMore) & mask;
+    m_fraction += (advance + (m_step & (0 - oneMore))) & mask;
+    return here;
   }
 
 private:
@@ -178,8 +183,8 @@ void noiseInRow(const Samples& samples, const TeNoiseOctave& octave, double* __r
   const std::uint64_t count = std::uint64_t(samples.count);
 
   Passage passage;
-  Crossings eastward(fractionX, stepX, samples.count);
-  Crossings southward(~fractionY, stepY, samples.count); // falls as its complement grows
+  Crossings eastward(fractionX, stepX, count);
+  Crossings southward(~fractionY, stepY, count); // falls as its complement grows
   std::uint64_t cellX = cellOf(startX);
   std::uint64_t cellY = cellOf(startY);
   for (std::uint64_t j = 0; j < count;) {
@@ -190,14 +195,8 @@ void noiseInRow(const Samples& samples, const TeNoiseOctave& octave, double* __r
     const std::uint64_t x = eastward.next();
     const std::uint64_t y = southward.next();
     j = x < y ? x : y;
-    if (x == j) {
-      ++cellX;
-      eastward.advance();
-    }
-    if (y == j) {
-      --cellY;
-      southward.advance();
-    }
+    cellX += eastward.passIf(x == j);
+    cellY -= southward.passIf(y == j);
   }
   passage.first[passage.cells] = samples.count;
 
@@ -232,7 +231,11 @@ void noiseInRow(const Samples& samples, const TeNoiseOctave& octave, double* __r
 
 /// Raw noise of an octave at a block's samples; room for kLanes more.
 void noiseOf(const Samples& samples, const TeNoiseOctave& octave, double* noise) {
-  if (samples.row && (2 * octave.along) >> 64 == 0 && (2 * octave.across) >> 64 == 0) {
+  // Cells that a row enters per half sample, as a 64-bit fraction, and up to where it pays to share them.
+  constexpr std::uint64_t kWorthSharing = kLanes < 8 ? 0x5000000000000000u : 0x3000000000000000u;
+  const bool share = octave.along < kWorthSharing && octave.across < kWorthSharing &&
+                     octave.along + octave.across < kWorthSharing;
+  if (samples.row && share) {
     noiseInRow(samples, octave, noise);
   } else {
     Positions at;
