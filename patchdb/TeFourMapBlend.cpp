@@ -3,40 +3,58 @@
 #include "generators/base/TeFloatEnvironment.h"
 #include "patchdb/TeTargetClones.h"
 
+#include <algorithm>
+
 namespace {
 
-/// Samples 1 .. n-1 of an inner row: all four weights are positive. `scale` is 1/n² where that is exact.
-TE_TARGET_CLONES
-void blendInside(const float* southWest, const float* southEast, const float* northWest,
-                 const float* northEast, float* out, int cells, int y, double scale) {
-  const double north = y;
-  const double south = cells - y;
-  const double whole = double(cells) * cells;
-  if (scale != 0) {
-    for (int x = 1; x < cells; ++x) {
-      const double east = x;
-      const double west = cells - x;
-      out[x] = float((west * south * southWest[x] + east * south * southEast[x] +
-                      west * north * northWest[x] + east * north * northEast[x]) *
-                     scale);
-    }
-    return;
-  }
-  for (int x = 1; x < cells; ++x) {
-    const double east = x;
-    const double west = cells - x;
-    out[x] = float((west * south * southWest[x] + east * south * southEast[x] + west * north * northWest[x] +
-                    east * north * northEast[x]) /
-                   whole);
-  }
-}
+constexpr int kRowsAhead =
+    4; // maps are read in four streams of short rows, too short for the hardware to guess
+constexpr int kFloatsOfALine = 16;
+constexpr int kSamplesPerUnit = 4096;
 
-/// Samples 1 .. n-1 of a border row between two maps.
+/// Rows of samples: the first sample and the step from row to row.
+struct Rows {
+  const float* first;
+  int stride;
+};
+
+/// Samples of rows `from` .. `to` - 1, which are not border rows. The weights of column 0 are those of the
+/// formula too, but a map of weight 0 must not take part there: the caller sets this column, and column n.
+/// `scale` is 1/n² where that is exact, else 0.
 TE_TARGET_CLONES
-void blendEdge(const float* west, const float* east, float* out, int cells) {
+void blendRows(Rows southWest, Rows southEast, Rows northWest, Rows northEast, float* out, int cells,
+               int from, int to, double scale) {
   const double whole = double(cells) * cells;
-  for (int x = 1; x < cells; ++x)
-    out[x] = float((double(cells - x) * cells * west[x] + double(x) * cells * east[x]) / whole);
+  for (int y = from; y < to; ++y) {
+    const double north = y;
+    const double south = cells - y;
+    const float* a = southWest.first + std::ptrdiff_t(y) * southWest.stride;
+    const float* b = southEast.first + std::ptrdiff_t(y) * southEast.stride;
+    const float* c = northWest.first + std::ptrdiff_t(y) * northWest.stride;
+    const float* d = northEast.first + std::ptrdiff_t(y) * northEast.stride;
+    float* row = out + std::ptrdiff_t(y) * (cells + 1);
+    if (y + kRowsAhead < to)
+      for (int x = 0; x <= cells; x += kFloatsOfALine) {
+        __builtin_prefetch(a + std::ptrdiff_t(kRowsAhead) * southWest.stride + x);
+        __builtin_prefetch(b + std::ptrdiff_t(kRowsAhead) * southEast.stride + x);
+        __builtin_prefetch(c + std::ptrdiff_t(kRowsAhead) * northWest.stride + x);
+        __builtin_prefetch(d + std::ptrdiff_t(kRowsAhead) * northEast.stride + x);
+      }
+    if (scale != 0)
+      for (int x = 0; x < cells; ++x) {
+        const double east = x;
+        const double west = cells - x;
+        row[x] = float(
+            (west * south * a[x] + east * south * b[x] + west * north * c[x] + east * north * d[x]) * scale);
+      }
+    else
+      for (int x = 0; x < cells; ++x) {
+        const double east = x;
+        const double west = cells - x;
+        row[x] = float(
+            (west * south * a[x] + east * south * b[x] + west * north * c[x] + east * north * d[x]) / whole);
+      }
+  }
 }
 
 /// A border sample between two maps, `at` cells from where the first has all the weight.
@@ -63,8 +81,11 @@ std::int64_t TeFourMapBlend::weight(int cells, int map, int x, int y) {
 
 bool TeFourMapBlend::step(TeAllowance& allowance) {
   const TeFloatEnvironment environment;
+  const int rows = std::max(1, kSamplesPerUnit / (m_cells + 1));
   while (m_row <= m_cells) {
-    blendRow(m_row++);
+    const int end = std::min(m_row + rows, m_cells + 1);
+    blendTo(end);
+    m_row = end;
     if (!allowance.spend())
       break;
   }
@@ -76,24 +97,39 @@ void TeFourMapBlend::finish() {
   step(all);
 }
 
-// The patch is the north-east quarter of its south-west map, and so on.
-void TeFourMapBlend::blendRow(int y) {
+void TeFourMapBlend::blendBorder(int y) {
   const int n = m_cells;
   float* out = m_patch->row(y);
-  if (y == 0 || y == n) {
-    const float* west = y == 0 ? m_maps[0]->row(n) + n : m_maps[2]->row(n) + n;
-    const float* east = y == 0 ? m_maps[1]->row(n) : m_maps[3]->row(n);
-    out[0] = west[0];
-    blendEdge(west, east, out, n);
-    out[n] = east[n];
-    return;
-  }
-  const float* southWest = m_maps[0]->row(n + y) + n;
-  const float* southEast = m_maps[1]->row(n + y);
-  const float* northWest = m_maps[2]->row(y) + n;
-  const float* northEast = m_maps[3]->row(y);
-  out[0] = blendTwo(southWest[0], northWest[0], n, y);
-  blendInside(southWest, southEast, northWest, northEast, out, n, y,
+  const float* west = y == 0 ? m_maps[0]->row(n) + n : m_maps[2]->row(n) + n;
+  const float* east = y == 0 ? m_maps[1]->row(n) : m_maps[3]->row(n);
+  out[0] = west[0];
+  for (int x = 1; x < n; ++x)
+    out[x] = blendTwo(west[x], east[x], n, x);
+  out[n] = east[n];
+}
+
+// The patch is the north-east quarter of its south-west map, and so on.
+void TeFourMapBlend::blendTo(int end) {
+  const int n = m_cells;
+  if (m_row == 0)
+    blendBorder(0);
+  const int from = std::max(m_row, 1);
+  const int to = std::min(end, n);
+  if (from < to) {
+    const int stride = 2 * n + 1;
+    const Rows southWest{m_maps[0]->row(n) + n, stride};
+    const Rows southEast{m_maps[1]->row(n), stride};
+    const Rows northWest{m_maps[2]->data() + n, stride};
+    const Rows northEast{m_maps[3]->data(), stride};
+    blendRows(southWest, southEast, northWest, northEast, m_patch->data(), n, from, to,
               powerOfTwo(n) ? 1.0 / (double(n) * n) : 0.0);
-  out[n] = blendTwo(southEast[n], northEast[n], n, y);
+    for (int y = from; y < to; ++y) {
+      const std::ptrdiff_t at = std::ptrdiff_t(y) * stride;
+      float* row = m_patch->row(y);
+      row[0] = blendTwo(southWest.first[at], northWest.first[at], n, y);
+      row[n] = blendTwo(southEast.first[at + n], northEast.first[at + n], n, y);
+    }
+  }
+  if (end > n)
+    blendBorder(n);
 }

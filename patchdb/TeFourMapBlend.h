@@ -23,7 +23,7 @@ public:
   TeFourMapBlend(const TeHeightMap& southWest, const TeHeightMap& southEast, const TeHeightMap& northWest,
                  const TeHeightMap& northEast, TeHeightMap& patch);
 
-  /// Blends rows until the allowance is spent; a unit is one row. True when all are done.
+  /// Blends rows until the allowance is spent; a unit is about 4096 samples. True when all are done.
   bool step(TeAllowance& allowance);
   /// All that is left.
   void finish();
@@ -32,7 +32,8 @@ public:
   static std::int64_t weight(int cells, int map, int x, int y);
 
 private:
-  void blendRow(int y);
+  void blendTo(int end);
+  void blendBorder(int y);
 
   const TeHeightMap* m_maps[4];
   TeHeightMap* m_patch;

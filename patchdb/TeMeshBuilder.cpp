@@ -10,6 +10,18 @@ namespace {
 /// Strips along the rows of cells. North before south in each pair makes the diagonal run south-west to
 /// north-east and the triangles counter-clockwise.
 void addStrips(const TeMeshBlock& block, TePatchMesh& mesh) {
+  if (!block.missing) {
+    mesh.strips.resize(std::size_t(block.rows - 1) * (2 * std::size_t(block.columns) + 1));
+    std::int32_t* out = mesh.strips.data();
+    for (std::int32_t y = 0; y + 1 < block.rows; ++y) {
+      for (std::int32_t south = y * block.columns; south < (y + 1) * block.columns; ++south) {
+        *out++ = south + block.columns;
+        *out++ = south;
+      }
+      *out++ = -1;
+    }
+    return;
+  }
   const auto missing = [&](int x, int y) {
     return TeHeightMap::isMissing(block.heights[std::ptrdiff_t(y) * block.stride + x]);
   };
@@ -36,13 +48,18 @@ void addStrips(const TeMeshBlock& block, TePatchMesh& mesh) {
   }
 }
 
+/// Coordinates of meshes are multiples of its inverse, a power of two.
+double coordinateScale(const TeLattice& lattice, int level) {
+  int exponent;
+  std::frexp(lattice.patchSide(), &exponent); // patchSide in [2^(exponent-1), 2^exponent)
+  return std::ldexp(1.0, 24 - exponent - level);
+}
+
 } // namespace
 
 double teMeshCoordinate(const TeLattice& lattice, int level, double position) {
-  int exponent;
-  std::frexp(lattice.patchSide(), &exponent); // patchSide in [2^(exponent-1), 2^exponent)
-  const int shift = 24 - exponent - level;    // side · 2^-24 < 2^-shift <= side · 2^-23
-  return std::ldexp(std::nearbyint(std::ldexp(position, shift)), -shift);
+  const double scale = coordinateScale(lattice, level);
+  return std::nearbyint(position * scale) / scale;
 }
 
 void teBuildMesh(const TeLattice& lattice, const TeMeshBlock& block, TePatchMesh& mesh) {
@@ -50,8 +67,9 @@ void teBuildMesh(const TeLattice& lattice, const TeMeshBlock& block, TePatchMesh
     return;
   const int level = mesh.key.level;
   const std::int64_t step = std::int64_t(1) << level;
+  const double scale = coordinateScale(lattice, level);
   const auto coordinate = [&](std::int64_t sample) {
-    return teMeshCoordinate(lattice, level, lattice.position(sample));
+    return std::nearbyint(lattice.position(sample) * scale) / scale;
   };
   mesh.columns = block.columns;
   mesh.rows = block.rows;
@@ -73,6 +91,5 @@ void teBuildMesh(const TeLattice& lattice, const TeMeshBlock& block, TePatchMesh
   mesh.normals.resize(mesh.positions.size());
   teGridNormals(block.heights, block.stride, block.columns, block.rows, lattice.spacing() * double(step),
                 block.missing, mesh.normals.data());
-  mesh.strips.reserve(std::size_t(block.rows - 1) * (2 * std::size_t(block.columns) + 1));
   addStrips(block, mesh);
 }

@@ -56,9 +56,9 @@ public:
 private:
   void dropSeams();
 
-  TePatchKey m_key;
-  std::array<TeSourceMapPtr, 4> m_maps;
+  TePatchKey m_key; // with the heights in one cache line, for point queries
   TeHeightMap m_heights;
+  std::array<TeSourceMapPtr, 4> m_maps;
   float m_minimum = 0;
   float m_maximum = 0;
   float m_deviation = 0;

@@ -2,6 +2,8 @@
 
 #include "patchdb/TeSurfaceRay.h"
 
+#include <algorithm>
+
 std::optional<double> TeSurface::heightAt(glm::dvec2 point) const {
   Place place;
   if (!locate(point, place))
@@ -49,8 +51,8 @@ bool TeSurface::locate(glm::dvec2 point, Place& place) const {
   if (!(std::fabs(point.x) < limit && std::fabs(point.y) < limit))
     return false;
   double u, v;
-  const std::int64_t x = m_lattice->sampleBelow(point.x, u);
-  const std::int64_t y = m_lattice->sampleBelow(point.y, v);
+  const std::int64_t x = sampleBelow(point.x, u);
+  const std::int64_t y = sampleBelow(point.y, v);
   place.u = u;
   place.v = v;
   if (locateInCell(x, y, place))
@@ -64,6 +66,23 @@ bool TeSurface::locate(glm::dvec2 point, Place& place) const {
         return true;
     }
   return false;
+}
+
+/// TeLattice::sampleBelow() without its divisions. The sample is the same, since it is settled by the
+/// positions that samples have; the fraction may differ by its last bit, and is 0 for the same points.
+std::int64_t TeSurface::sampleBelow(double position, double& fraction) const {
+  const double cell = position * m_perMetre + 0.5 * m_lattice->cells();
+  std::int64_t below = std::int64_t(cell);
+  below -= double(below) > cell ? 1 : 0;
+  double west = m_lattice->position(below);
+  if (west > position) {
+    west = m_lattice->position(--below);
+  } else if (const double east = m_lattice->position(below + 1); east <= position) {
+    west = east;
+    ++below;
+  }
+  fraction = std::min((position - west) * m_perMetre, 1 - 0x1p-53);
+  return below;
 }
 
 /// The cell of a patch that holds the base cell at a sample; place.u and .v lead from the base cell's corner.

@@ -12,7 +12,8 @@
 /// and the lattice that it was made with. Const calls may run on several threads.
 class TeSurface {
 public:
-  TeSurface(const TeLattice& lattice, const TePatchTree& tree) : m_lattice(&lattice), m_tree(&tree) {}
+  TeSurface(const TeLattice& lattice, const TePatchTree& tree)
+      : m_lattice(&lattice), m_tree(&tree), m_perMetre(1 / lattice.spacing()) {}
 
   std::optional<double> heightAt(glm::dvec2 point) const;
   std::optional<glm::dvec3> normalAt(glm::dvec2 point) const;
@@ -31,10 +32,12 @@ private:
     double v = 0;
   };
   bool locate(glm::dvec2 point, Place& place) const;
+  std::int64_t sampleBelow(double position, double& fraction) const;
   bool locateInCell(std::int64_t sampleX, std::int64_t sampleY, Place& place) const;
   const TePatchData* patchOf(std::int64_t sampleX, std::int64_t sampleY) const;
 
   const TeLattice* m_lattice;
   const TePatchTree* m_tree;
+  double m_perMetre;
   mutable std::atomic<const TePatchData*> m_last{nullptr}; ///< answered last; the next query is often near
 };

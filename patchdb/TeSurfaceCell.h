@@ -2,6 +2,7 @@
 
 #include <glm/vec3.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 /// One cell of the surface: four corner heights, split along the SW-NE diagonal (contract 4). Local
@@ -18,7 +19,13 @@ struct TeSurfaceCell {
   }
 
   /// A cell with a missing corner is not part of the surface.
-  bool complete() const { return !std::isnan(double(southWest) + southEast + northWest + northEast); }
+  bool complete() const {
+    return !(std::isnan(southWest) || std::isnan(southEast) || std::isnan(northWest) ||
+             std::isnan(northEast));
+  }
+
+  float lowest() const { return std::min(std::min(southWest, southEast), std::min(northWest, northEast)); }
+  float highest() const { return std::max(std::max(southWest, southEast), std::max(northWest, northEast)); }
 
   /// Height at a point; at the corners exactly the corner's float.
   double height(double u, double v) const;

@@ -3,6 +3,7 @@
 #include "generators/TeHeightMap.h"
 #include "patchdb/TeTargetClones.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -21,20 +22,29 @@ double fall(double before, double here, double after) {
 }
 
 glm::vec3 normalOfFalls(double x, double y, double z) {
-  const double length = std::sqrt(x * x + y * y + z * z);
-  return {float(x / length), float(y / length), float(z / length)};
+  const double scale = 1.0 / std::sqrt(x * x + y * y + z * z);
+  return {float(x * scale), float(y * scale), float(z * scale)};
 }
 
-/// One row of a block without missing samples.
+constexpr int kRun = 64;
+
+/// Up to kRun normals of a row without missing samples. Components go through buffers, so that the arithmetic
+/// is vectorised though normals are stored one by one.
 TE_TARGET_CLONES
-void normalRow(const float* south, const float* row, const float* north, int columns, double z, float* out) {
-  for (int x = 0; x < columns; ++x) {
-    const double fallX = double(row[x - 1]) - double(row[x + 1]);
-    const double fallY = double(south[x]) - double(north[x]);
-    const double length = std::sqrt(fallX * fallX + fallY * fallY + z * z);
-    out[3 * x] = float(fallX / length);
-    out[3 * x + 1] = float(fallY / length);
-    out[3 * x + 2] = float(z / length);
+void normalRun(const float* south, const float* row, const float* north, int count, double z, float* out) {
+  float xs[kRun], ys[kRun], zs[kRun];
+  for (int i = 0; i < count; ++i) {
+    const double x = double(row[i - 1]) - double(row[i + 1]);
+    const double y = double(south[i]) - double(north[i]);
+    const double scale = 1.0 / std::sqrt(x * x + y * y + z * z);
+    xs[i] = float(x * scale);
+    ys[i] = float(y * scale);
+    zs[i] = float(z * scale);
+  }
+  for (int i = 0; i < count; ++i) {
+    out[3 * i] = xs[i];
+    out[3 * i + 1] = ys[i];
+    out[3 * i + 2] = zs[i];
   }
 }
 
@@ -51,7 +61,9 @@ void teGridNormals(const float* heights, int stride, int columns, int rows, doub
   static_assert(sizeof(glm::vec3) == 3 * sizeof(float), "normals are written as plain floats");
   for (int y = 0; y < rows; ++y, heights += stride, normals += columns) {
     if (!missing) {
-      normalRow(heights - stride, heights, heights + stride, columns, 2 * spacing, &normals->x);
+      for (int x = 0; x < columns; x += kRun)
+        normalRun(heights - stride + x, heights + x, heights + stride + x, std::min(kRun, columns - x),
+                  2 * spacing, &normals[x].x);
       continue;
     }
     for (int x = 0; x < columns; ++x)

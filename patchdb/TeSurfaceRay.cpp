@@ -96,10 +96,15 @@ bool Marcher::march(const TePatchData& patch, double begin, double end) {
   int y = cellOf(m_startV + begin * m_stepV);
   const int eastward = m_stepU > 0 ? 1 : 0;
   const int northward = m_stepV > 0 ? 1 : 0;
+  const double perU = 1 / m_stepU;
+  const double perV = 1 / m_stepV;
+  // Steps so small that their inverse is no number lead to no other cell within a patch.
+  const bool acrossU = std::isfinite(perU);
+  const bool acrossV = std::isfinite(perV);
   double at = begin;
   for (;;) {
-    const double nextX = m_stepU == 0 ? INFINITY : (x + eastward - m_startU) / m_stepU;
-    const double nextY = m_stepV == 0 ? INFINITY : (y + northward - m_startV) / m_stepV;
+    const double nextX = acrossU ? (x + eastward - m_startU) * perU : INFINITY;
+    const double nextY = acrossV ? (y + northward - m_startV) * perV : INFINITY;
     const double next = std::max(at, std::min({nextX, nextY, end}));
     if (crossCell(patch, x, y, at, next))
       return true;
@@ -134,9 +139,22 @@ bool Marcher::crossCell(const TePatchData& patch, int x, int y, double begin, do
     m_above = NAN;
     return false;
   }
+  // Wholly above or below the corners: only the side matters.
+  const double z0 = z(begin), z1 = z(end);
+  const double highest = cell.highest(), lowest = cell.lowest();
+  if (std::min(z0, z1) > highest || std::max(z0, z1) < lowest) {
+    const double above = z0 > highest ? z1 - highest : z1 - lowest;
+    if (!std::isnan(m_above) && (m_above < 0) != (above < 0)) {
+      hit(patch, cell, x, y, begin);
+      return true;
+    }
+    m_above = above;
+    m_aboveAt = end;
+    return false;
+  }
   const double u0 = u(begin, x), v0 = v(begin, y), u1 = u(end, x), v1 = v(end, y);
-  const double above0 = z(begin) - cell.height(u0, v0);
-  const double above1 = z(end) - cell.height(u1, v1);
+  const double above0 = z0 - cell.height(u0, v0);
+  const double above1 = z1 - cell.height(u1, v1);
   const auto differ = [](double a, double b) { return (a < 0) != (b < 0); };
   if (above0 == 0 || (!std::isnan(m_above) && differ(m_above, above0))) {
     hit(patch, cell, x, y, begin);

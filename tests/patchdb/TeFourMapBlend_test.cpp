@@ -139,20 +139,24 @@ TEST(TeFourMapBlend, ASampleIsMissingIfAnInputOfPositiveWeightIs) {
 }
 
 TEST(TeFourMapBlend, SlicesOfAnyLengthGiveTheSameBits) {
-  const TeHeightMap a = randomMap(33, 1), b = randomMap(33, 2), c = randomMap(33, 3), d = randomMap(33, 4);
-  const TeHeightMap whole = blend(a, b, c, d);
-  for (int units : {1, 2, 5, 16, 100}) {
-    TeHeightMap patch = filled(17, -1);
-    TeFourMapBlend sliced(a, b, c, d, patch);
-    int slices = 0;
-    bool done = false;
-    while (!done) {
-      TeAllowance allowance = TeAllowance::units(units);
-      done = sliced.step(allowance);
-      ++slices;
+  for (int side : {5, 33, 301, 1025}) {
+    const int rows = (side + 1) / 2;
+    const TeHeightMap a = randomMap(side, 1), b = randomMap(side, 2), c = randomMap(side, 3),
+                      d = randomMap(side, 4);
+    const TeHeightMap whole = blend(a, b, c, d);
+    for (int units : {1, 2, 5, 100}) {
+      TeHeightMap patch = filled(rows, -1);
+      TeFourMapBlend sliced(a, b, c, d, patch);
+      int slices = 0;
+      bool done = false;
+      while (!done) {
+        TeAllowance allowance = TeAllowance::units(units);
+        done = sliced.step(allowance);
+        ++slices;
+      }
+      EXPECT_TRUE(patch == whole) << side << " " << units;
+      EXPECT_EQ(slices > 1, std::int64_t(rows) * rows > 4096 * std::int64_t(units)) << side << " " << units;
     }
-    EXPECT_EQ(slices, (17 + units - 1) / units);
-    EXPECT_TRUE(patch == whole) << units;
   }
 }
 
