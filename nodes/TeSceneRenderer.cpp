@@ -121,6 +121,16 @@ TeStatus TeSceneRenderer::draw(SoNode* scene) {
 TeResult<TePicture> TeSceneRenderer::render(SoNode* scene) {
   if (TeStatus status = draw(scene); !status)
     return status.error();
+  TeResult<TePicture> picture = read();
+  if (!picture)
+    return picture;
+  // Blending leaves its traces in the alpha that was drawn; what is seen is opaque.
+  for (std::size_t alpha = 3; alpha < picture->rgba.size(); alpha += 4)
+    picture->rgba[alpha] = 255;
+  return picture;
+}
+
+TeResult<TePicture> TeSceneRenderer::read() {
   const TeGlTable& gl = m_context.gl();
   if (!m_resolved.framebuffer) {
     const BoundFramebuffer bound(gl, m_target.framebuffer);

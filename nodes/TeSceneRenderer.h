@@ -30,7 +30,7 @@ public:
   /// Draws one frame: near and far planes come from the scene's bounding box (teFitClipPlanes). Error: no
   /// camera in the scene, an OpenGL error while drawing.
   TeStatus draw(SoNode* scene);
-  /// Draws one frame and reads it.
+  /// Draws one frame and reads it; alpha is 255 everywhere.
   TeResult<TePicture> render(SoNode* scene);
 
 private:
@@ -42,6 +42,7 @@ private:
   };
 
   TeSceneRenderer(TeContext& context, int width, int height);
+  TeResult<TePicture> read();
   TeStatus createTarget(Target& target, int samples);
   void destroyTarget(Target& target);
 

@@ -2,12 +2,12 @@
 
 #include "generators/base/TeModule.h"
 
-TeStatus teRunViewer(SoNode* scene, const TeViewerOptions& options) {
+TeResult<TeViewerSession> teRunViewer(SoNode* scene, const TeViewerOptions& options) {
   const TeResult<void*> symbol = teModuleSymbol("context-window", "teRunSoQtViewer");
   if (!symbol)
     return symbol.error();
-  using Run = void(SoNode*, const TeViewerOptions&, TeStatus*);
-  TeStatus status;
-  reinterpret_cast<Run*> (*symbol)(scene, options, &status);
-  return status;
+  using Run = void(SoNode*, const TeViewerOptions&, TeResult<TeViewerSession>*);
+  TeResult<TeViewerSession> session = TeViewerSession();
+  reinterpret_cast<Run*> (*symbol)(scene, options, &session);
+  return session;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "generators/base/TeResult.h"
+#include "nodes/TePicture.h"
 
 #include <Inventor/SbColor.h>
 
@@ -14,11 +15,20 @@ struct TeViewerOptions {
   int width = 1024;
   int height = 768;
   SbColor background{0.53f, 0.72f, 0.9f};
-  /// Writes the window's contents to this PNG file once it has settled, and leaves.
-  std::string snapshot;
+  /// Once the window has settled, draws so many frames and leaves; 0 = shows it until it is closed.
+  int frames = 0;
 };
 
-/// Shows a scene in an examiner viewer until the window is closed or Q is pressed. Loads SoQt on first use.
-/// The scene's own camera and lights are used; near and far planes follow the scene.
-/// Error: no display, SoQt not installed, a snapshot that cannot be written.
-TeStatus teRunViewer(SoNode* scene, const TeViewerOptions& options);
+/// What happened in a window.
+struct TeViewerSession {
+  int frames = 0;         ///< drawn since the window had settled
+  double meanSeconds = 0; ///< to draw one of them
+  double longestSeconds = 0;
+  std::string renderer; ///< GL_RENDERER
+  TePicture picture;    ///< the last frame, if a number of frames was asked for
+};
+
+/// Shows a scene in an examiner viewer until the window is closed or Q is pressed, or for a number of frames.
+/// Loads SoQt on first use. The scene's own camera and lights are used; near and far planes follow the scene.
+/// Error: no display, SoQt not installed, a window without OpenGL.
+TeResult<TeViewerSession> teRunViewer(SoNode* scene, const TeViewerOptions& options);

@@ -3,6 +3,8 @@
 #include "generators/base/TeLog.h"
 
 #include <Inventor/Qt/SoQt.h>
+#include <QString>
+#include <QtGlobal>
 #include <dlfcn.h>
 
 #include <cstdlib>
@@ -32,6 +34,15 @@ void onFatalError(const SbString message, SoQt::FatalErrors, void*) {
   TeLog::error(std::string("window: ") + message.getString());
 }
 
+// Qt's remarks about the user's session are of no use to anyone who looks at terrain.
+void onQtMessage(QtMsgType type, const QMessageLogContext&, const QString& message) {
+  const std::string text = "window: " + message.toStdString();
+  if (type == QtCriticalMsg || type == QtFatalMsg)
+    TeLog::error(text);
+  else
+    TeLog::debug(text);
+}
+
 } // namespace
 
 TeResult<QWidget*> TeSoQtApplication::start() {
@@ -40,6 +51,7 @@ TeResult<QWidget*> TeSoQtApplication::start() {
     return top;
   if (TeStatus status = checkDisplay(); !status)
     return status.error();
+  qInstallMessageHandler(onQtMessage);
   SoQt::setFatalErrorHandler(onFatalError, nullptr);
   top = SoQt::init("Terrane", "Terrane");
   if (!top)

@@ -1,5 +1,4 @@
 #include "nodes/TeClipPlanes.h"
-#include "nodes/TePicture.h"
 #include "nodes/context/TeGlTable.h"
 #include "nodes/context/TeViewer.h"
 #include "nodes/context/modules/TeSoQtApplication.h"
@@ -11,6 +10,8 @@
 #include <QOpenGLContext>
 #include <QWidget>
 
+#include <algorithm>
+#include <chrono>
 #include <memory>
 
 namespace {
@@ -26,7 +27,8 @@ public:
     setBackgroundColor(options.background);
     setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
     setAutoClipping(FALSE);
-    setDecoration(options.snapshot.empty());
+    setHeadlight(FALSE);
+    setDecoration(options.frames == 0);
     setSceneGraph(scene);
     m_settled.setInterval(kSettleSeconds);
     m_settled.setFunction([](void* viewer, SoSensor*) { static_cast<TeSoQtViewer*>(viewer)->settle(); });
@@ -34,17 +36,16 @@ public:
     m_settled.schedule();
   }
 
-  const TeStatus& status() const { return m_status; }
+  const TeResult<TeViewerSession>& session() const { return m_session; }
 
 protected:
   void actualRedraw() override {
+    const auto start = std::chrono::steady_clock::now();
     // No camera means an empty window, as in any viewer.
     (void)teFitClipPlanes(getSceneManager()->getSceneGraph(), getViewportRegion());
     SoQtExaminerViewer::actualRedraw();
-    if (m_isSettled && !m_options.snapshot.empty()) {
-      m_status = writeSnapshot();
-      SoQt::exitMainLoop();
-    }
+    if (m_isSettled && m_session)
+      count(start);
   }
 
   SbBool processSoEvent(const SoEvent* const event) override {
@@ -62,38 +63,71 @@ private:
     scheduleRedraw();
   }
 
-  TeStatus writeSnapshot() const {
+  /// A frame was drawn that began at `start`.
+  void count(std::chrono::steady_clock::time_point start) {
+    if (const TeStatus ok = finish(); !ok) {
+      m_session = ok.error();
+      SoQt::exitMainLoop();
+      return;
+    }
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    ++m_session->frames;
+    m_session->meanSeconds += (seconds - m_session->meanSeconds) / m_session->frames;
+    m_session->longestSeconds = std::max(m_session->longestSeconds, seconds);
+    if (m_options.frames == 0)
+      return;
+    if (m_session->frames < m_options.frames) {
+      scheduleRedraw();
+      return;
+    }
+    m_session->picture = readPicture();
+    SoQt::exitMainLoop();
+  }
+
+  /// Waits for OpenGL, whose functions are asked for at the first call.
+  TeStatus finish() {
     QOpenGLContext* context = QOpenGLContext::currentContext();
     if (!context)
-      return TeError{m_options.snapshot + ": the window has no OpenGL context"};
-    const TeResult<TeGlTable> gl = TeGlTable::load(
-        [&](const char* name) { return reinterpret_cast<void*>(context->getProcAddress(name)); });
-    if (!gl)
-      return gl.error();
+      return TeError{"the window has no OpenGL context"};
+    if (!m_gl.finish) {
+      const TeResult<TeGlTable> gl = TeGlTable::load(
+          [&](const char* name) { return reinterpret_cast<void*>(context->getProcAddress(name)); });
+      if (!gl)
+        return gl.error();
+      m_gl = *gl;
+      m_session->renderer = reinterpret_cast<const char*>(m_gl.getString(GL_RENDERER));
+    }
+    m_gl.finish();
+    return {};
+  }
+
+  TePicture readPicture() const {
     const SbVec2s size = getViewportRegion().getViewportSizePixels();
     TePicture picture;
     picture.width = size[0];
     picture.height = size[1];
     picture.rgba.resize(std::size_t(4) * picture.width * picture.height);
-    gl->pixelStorei(GL_PACK_ALIGNMENT, 1);
-    gl->readPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
+    m_gl.pixelStorei(GL_PACK_ALIGNMENT, 1);
+    m_gl.readPixels(0, 0, picture.width, picture.height, GL_RGBA, GL_UNSIGNED_BYTE, picture.rgba.data());
     for (std::size_t alpha = 3; alpha < picture.rgba.size(); alpha += 4)
       picture.rgba[alpha] = 255;
-    return picture.writePng(m_options.snapshot);
+    return picture;
   }
 
   TeViewerOptions m_options;
   SoTimerSensor m_settled;
   bool m_isSettled = false;
-  TeStatus m_status;
+  TeGlTable m_gl;
+  TeResult<TeViewerSession> m_session = TeViewerSession();
 };
 
 } // namespace
 
-extern "C" void teRunSoQtViewer(SoNode* scene, const TeViewerOptions& options, TeStatus* status) {
+extern "C" void teRunSoQtViewer(SoNode* scene, const TeViewerOptions& options,
+                                TeResult<TeViewerSession>* session) {
   const TeResult<QWidget*> top = TeSoQtApplication::start();
   if (!top) {
-    *status = top.error();
+    *session = top.error();
     return;
   }
   const auto viewer = std::make_unique<TeSoQtViewer>(*top, scene, options);
@@ -101,5 +135,5 @@ extern "C" void teRunSoQtViewer(SoNode* scene, const TeViewerOptions& options, T
   viewer->show();
   SoQt::show(*top);
   SoQt::mainLoop();
-  *status = viewer->status();
+  *session = viewer->session();
 }
