@@ -3,6 +3,7 @@
 #include "apps/common/TeContextChoice.h"
 #include "apps/common/TeExit.h"
 
+#include <charconv>
 #include <cstdio>
 
 namespace {
@@ -13,16 +14,14 @@ std::string numberText(double value) {
   return text;
 }
 
-/// CLI11's own range check lets NaN pass.
-CLI::Validator within(double minimum, double maximum) {
-  const auto check = [minimum, maximum](std::string& text) -> std::string {
-    double value = 0;
-    if (CLI::detail::lexical_cast(text, value) && value >= minimum && value <= maximum)
-      return {};
-    return "must be a number from " + numberText(minimum) + " to " + numberText(maximum) + ", not '" + text +
-           "'";
-  };
-  return CLI::Validator(check, "");
+/// CLI11 takes -1 and 2^64 for a number without sign.
+std::string checkSeed(std::string& text) {
+  std::uint64_t seed = 0;
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, seed);
+  if (read.ec == std::errc() && read.ptr == end)
+    return {};
+  return "must be a whole number from 0 to 18446744073709551615, not '" + text + "'";
 }
 
 std::string checkSize(std::string& text) {
@@ -52,6 +51,7 @@ TeCommandLine::TeCommandLine(const std::string& application, const std::string& 
       ->option_text("NAME")
       ->group(common);
   m_cli.add_option("--offscreen", m_common.offscreen, "Write the last frame as a PNG picture")
+      ->check(notEmpty())
       ->option_text("OUT.png")
       ->group(common);
   m_cli.add_option("--size", m_size, "Pixels (default: 1024x768)")
@@ -60,8 +60,12 @@ TeCommandLine::TeCommandLine(const std::string& application, const std::string& 
       ->group(common);
   addInteger("--frames", m_common.frames, 1, 1'000'000'000, "Frames to draw, then exit")->group(common);
   addNumber("--dt", m_common.dt, 0, 86400, "Seconds a frame, for runs that repeat exactly")->group(common);
-  m_cli.add_option("--seed", m_common.seed, "The world's seed (default: 0)")->option_text("N")->group(common);
+  m_cli.add_option("--seed", m_common.seed, "The world's seed (default: 0)")
+      ->check(CLI::Validator(checkSeed, ""))
+      ->option_text("N")
+      ->group(common);
   m_cli.add_option("--report", m_common.report, "Write what was done and measured")
+      ->check(notEmpty())
       ->option_text("OUT.json")
       ->group(common);
   m_cli.add_flag("--quiet", m_common.quiet, "Print errors only")->group(common);
@@ -89,4 +93,20 @@ std::optional<int> TeCommandLine::parse(int argc, char** argv) {
   }
   std::sscanf(m_size.c_str(), "%dx%d", &m_common.width, &m_common.height);
   return {};
+}
+
+CLI::Validator TeCommandLine::within(double minimum, double maximum) {
+  const auto check = [minimum, maximum](std::string& text) -> std::string {
+    double value = 0;
+    if (CLI::detail::lexical_cast(text, value) && value >= minimum && value <= maximum)
+      return {};
+    return "must be a number from " + numberText(minimum) + " to " + numberText(maximum) + ", not '" + text +
+           "'";
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator TeCommandLine::notEmpty() {
+  return CLI::Validator(
+      [](std::string& text) { return text.empty() ? std::string("must not be empty") : std::string(); }, "");
 }

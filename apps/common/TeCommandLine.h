@@ -28,6 +28,10 @@ public:
   CLI::Option* addInteger(const std::string& name, int& value, int minimum, int maximum,
                           const std::string& help);
 
+  /// Accepts numbers from minimum to maximum. (CLI11's own range check lets NaN pass.)
+  static CLI::Validator within(double minimum, double maximum);
+  static CLI::Validator notEmpty();
+
 private:
   CLI::App m_cli;
   TeCommonOptions m_common;

@@ -6,10 +6,10 @@
 #include <cstring>
 #include <fstream>
 
-double tePeakMemoryBytes() {
+std::int64_t tePeakMemoryBytes() {
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
-  return double(usage.ru_maxrss) * 1024;
+  return std::int64_t(usage.ru_maxrss) * 1024;
 }
 
 TeReport::TeReport(const std::string& application, const std::string& arguments) {

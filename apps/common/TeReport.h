@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include <cstdint>
 #include <string>
 
 /// The JSON report of an application: one object, filled while it works.
@@ -22,4 +23,4 @@ private:
 };
 
 /// The largest resident memory of this process so far, bytes.
-double tePeakMemoryBytes();
+std::int64_t tePeakMemoryBytes();

@@ -1,5 +1,7 @@
 #include "apps/terrane-static/TeStaticOptions.h"
 
+#include "generators/TeLattice.h"
+
 #include <cmath>
 #include <cstdio>
 
@@ -29,60 +31,99 @@ std::string checkSamples(std::string& text) {
 } // namespace
 
 void TeStaticOptions::addTo(TeCommandLine& commandLine) {
-  CLI::App& cli = commandLine.cli();
-  const std::string terrain = "Terrain", data = "Elevation data", view = "View";
-  const double huge = 1e15;
+  addTerrain(commandLine);
+  addElevationData(commandLine);
+  addView(commandLine);
+}
 
-  commandLine.addInteger("--block", block, 1, kMaxBlock, "Patches a side (default: 3)")->group(terrain);
+void TeStaticOptions::addTerrain(TeCommandLine& commandLine) {
+  CLI::App& cli = commandLine.cli();
+  const std::string group = "Terrain";
+  commandLine.addInteger("--block", block, 1, kMaxBlock, "Patches a side (default: 3)")->group(group);
   cli.add_option("--samples", samples, "Samples a side of a source map, odd; a patch has half (default: 65)")
       ->check(CLI::Validator(checkSamples, ""))
       ->option_text("W")
-      ->group(terrain);
+      ->group(group);
   commandLine.addNumber("--spacing", spacing, 1e-6, 1e6, "Metres between samples (default: 1)")
       ->option_text("S")
-      ->group(terrain);
-  cli.add_option("--center", m_center, "A point of the middle patch, metres (default: 0,0)")
+      ->group(group);
+  cli.add_option_function<std::string>(
+         "--center", [this](const std::string& text) { readPoint(text, center); },
+         "A point of the middle patch, metres (default: 0,0)")
       ->check(CLI::Validator(checkPoint, ""))
       ->option_text("X,Y")
-      ->group(terrain)
-      ->each([this](const std::string& text) { readPoint(text, center.emplace()); });
-  cli.add_option("--generator", generator, "Generator with its parameters, name:parameter=value,...")
+      ->group(group);
+  cli.add_option("--generator", generator, "Generator and parameters: name:parameter=value,...")
+      ->check(TeCommandLine::notEmpty())
       ->option_text("SPEC")
-      ->group(terrain);
+      ->group(group);
   cli.add_option("--filter", filters, "Filter over the generator; may be given more than once")
+      ->check(TeCommandLine::notEmpty())
       ->option_text("SPEC")
       ->allow_extra_args(false)
-      ->group(terrain);
+      ->group(group);
   cli.add_flag("--list-generators", listGenerators, "Print generators and filters with their parameters")
-      ->group(terrain);
+      ->group(group);
+}
 
-  cli.add_option("--dem", dem, "Elevation file instead of a generator; the block covers all of it")
-      ->option_text("FILE")
-      ->group(data);
-  cli.add_option("--vertical-unit", verticalUnit, "Unit of its heights: m, ft, dm, 0.1, ... (default: the file's)")
+void TeStaticOptions::addElevationData(TeCommandLine& commandLine) {
+  CLI::App& cli = commandLine.cli();
+  const std::string group = "Elevation data";
+  CLI::Option* file = cli.add_option("--dem", dem, "Elevation file in place of a generator")
+                          ->check(TeCommandLine::notEmpty())
+                          ->option_text("FILE")
+                          ->excludes("--generator")
+                          ->group(group);
+  cli.add_option("--vertical-unit", verticalUnit, "Of its heights: m, ft, dm, 0.1, ... (default: the file's)")
+      ->check(TeCommandLine::notEmpty())
       ->option_text("UNIT")
-      ->group(data);
+      ->needs(file)
+      ->group(group);
   commandLine.addNumber("--posts", posts, 1e-6, 1e6, "Metres between its posts (default: as the file says)")
-      ->group(data);
-  cli.add_option("--fill", fill, "none, voids (from their surroundings)")
+      ->needs(file)
+      ->group(group);
+  cli.add_option_function<std::string>(
+         "--fill", [this](const std::string& what) { fillVoids = what == "voids"; },
+         "voids: fill them from their surroundings (default: none)")
       ->check(CLI::IsMember({"none", "voids"}))
       ->option_text("WHAT")
-      ->group(data);
-  cli.add_option("--outside", outside, "Beyond the file: hole, clamp, or a height (default: hole)")
+      ->needs(file)
+      ->group(group);
+  cli.add_option("--outside", outside,
+                 "Beyond the file: hole, clamp, a height, or a generator (default: hole)")
+      ->check(TeCommandLine::notEmpty())
       ->option_text("WHAT")
-      ->group(data);
-  cli.add_flag("--native", native, "The file's own posts, centred on its highest")->group(data);
+      ->needs(file)
+      ->group(group);
+  cli.add_flag("--native", native, "The file's own posts, around its highest (default: all of the file)")
+      ->needs(file)
+      ->group(group);
+}
 
-  commandLine.addNumber("--vertical-scale", verticalScale, 1e-6, 1e6, "Stretches heights (default: 1)")->group(view);
-  cli.add_flag("--wireframe", wireframe, "Draw lines")->group(view);
-  cli.add_flag("--parts", parts, "Patches, seams and corners in different colours")->group(view);
-  cli.add_flag("--top", top, "Seen from straight above, north up")->group(view);
-  commandLine.addNumber("--water", m_water, -huge, huge, "A sheet of water at this height, metres")
+void TeStaticOptions::addView(TeCommandLine& commandLine) {
+  CLI::App& cli = commandLine.cli();
+  const std::string group = "View";
+  commandLine.addNumber("--vertical-scale", verticalScale, 1e-6, 1e6, "Stretches heights (default: 1)")
+      ->group(group);
+  cli.add_flag("--wireframe", wireframe, "Draw lines")->group(group);
+  cli.add_flag("--parts", parts, "Patches, seams and corners in different colours")->group(group);
+  cli.add_flag("--top", top, "Seen from straight above, north up")->group(group);
+  cli.add_option("--water", water, "A sheet of water at this height, metres")
+      ->check(TeCommandLine::within(-1e6, 1e6))
       ->option_text("LEVEL")
-      ->group(view)
-      ->each([this](const std::string&) { hasWater = true; });
-  cli.add_option("--drape", drape, "PNG picture to lay over the block, north up")->option_text("IMAGE")->group(view);
-  cli.add_option("--export", exportFile, "Write the terrain as an Inventor file of Coin's own nodes")
+      ->group(group);
+  cli.add_option("--drape", drape, "PNG picture laid over the block, north up")
+      ->check(TeCommandLine::notEmpty())
+      ->option_text("IMAGE")
+      ->group(group);
+  cli.add_option("--export", exportFile, "Write the scene as an Inventor file of Coin's own nodes")
+      ->check(TeCommandLine::notEmpty())
       ->option_text("OUT.iv")
-      ->group(view);
+      ->group(group);
+}
+
+TeStatus TeStaticOptions::check() const {
+  if (native && spacing != 0)
+    return TeError{"--native and --spacing exclude each other"};
+  return {};
 }

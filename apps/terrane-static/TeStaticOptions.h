@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/common/TeCommandLine.h"
+#include "generators/base/TeResult.h"
 
 #include <glm/vec2.hpp>
 
@@ -10,39 +11,39 @@
 
 /// What terrane-static is asked for besides the common options.
 struct TeStaticOptions {
-  int block = 3;      ///< patches a side
-  int samples = 0;    ///< of a source map; 0 = as suits
-  double spacing = 0; ///< metres; 0 = as suits
-  std::optional<glm::dvec2> center; ///< of the block, metres
+  static constexpr int kMaxBlock = 255;
+  static constexpr int kMaxSamples = 8193;
 
-  std::string generator;
+  int block = 3;         ///< patches a side
+  int samples = 0;       ///< a side of a source map; 0 = as suits
+  double spacing = 0;    ///< metres; 0 = as suits
+  glm::dvec2 center{0};  ///< a point of the middle patch, metres
+  std::string generator; ///< specification; empty = the default
   std::vector<std::string> filters;
+  bool listGenerators = false;
 
-  std::string dem; ///< elevation file
-  std::string verticalUnit = "auto";
-  double posts = 0; ///< metres between posts of a file that does not say
-  std::string fill = "none";
-  std::string outside = "hole";
+  std::string dem;                   ///< elevation file; empty = none
+  std::string verticalUnit = "auto"; ///< of its heights
+  double posts = 0;                  ///< metres between its posts; 0 = as the file says
+  bool fillVoids = false;
+  std::string outside = "hole"; ///< hole, clamp, a height, or a generator's specification
   bool native = false;
 
   double verticalScale = 1;
   bool wireframe = false;
   bool parts = false;
   bool top = false;
-  std::optional<double> water; ///< height of the water, metres
-  std::string drape;           ///< PNG image
+  std::optional<double> water; ///< metres
+  std::string drape;           ///< PNG picture
   std::string exportFile;      ///< .iv file
 
-  bool listGenerators = false;
-
-  static constexpr int kMaxBlock = 255;
-
-  /// Adds the options to a command line, to be read into this object.
+  /// Adds the options to a command line, which reads them into this object when it is parsed.
   void addTo(TeCommandLine& commandLine);
-  /// What contradicts each other, after parsing.
+  /// What contradicts what; after parsing.
   TeStatus check() const;
 
 private:
-  std::string m_center;
-  double m_water = 0;
+  void addTerrain(TeCommandLine& commandLine);
+  void addElevationData(TeCommandLine& commandLine);
+  void addView(TeCommandLine& commandLine);
 };

@@ -15,4 +15,5 @@ struct TeChildResult {
 /// Runs a program to its end; after `seconds` it is killed. Environment: as here, with "NAME=VALUE" of `with`
 /// added and the names in `without` removed.
 TeChildResult teRunChild(const std::vector<std::string>& command, double seconds = 60,
-                         const std::vector<std::string>& with = {}, const std::vector<std::string>& without = {});
+                         const std::vector<std::string>& with = {},
+                         const std::vector<std::string>& without = {});
