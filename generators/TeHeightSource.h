@@ -79,8 +79,9 @@ private:
 /// a chain of a generator and filters.
 ///
 /// *Pure*: a map is a function of the source's parameters and the request alone; the same bits whatever the
-/// order of requests, the slicing, the thread, the compiler or its optimisation. All members are const and
-/// thread-safe.
+/// order of requests, the slicing, the thread, the compiler or its optimisation, and the floating-point state
+/// of the caller: start() and evaluate() that compute open a TeFloatEnvironment, jobs have one. All members
+/// are const and thread-safe.
 class TeHeightSource : public std::enable_shared_from_this<TeHeightSource> {
 public:
   virtual ~TeHeightSource();

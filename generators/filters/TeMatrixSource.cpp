@@ -1,5 +1,6 @@
 #include "generators/filters/TeMatrixSource.h"
 
+#include "generators/base/TeFloatEnvironment.h"
 #include "generators/base/TeHash.h"
 #include "generators/filters/TeMatrixJob.h"
 
@@ -61,6 +62,7 @@ TeStatus TeMatrixSource::evaluate(const TeMapRequest& request, const TeMapSample
                                   float* heights) const {
   if (!pointEvaluable())
     return TeHeightSource::evaluate(request, samples, count, heights);
+  const TeFloatEnvironment environment;
   const TeMapRequest wider = inputRequest(request);
   const int r = m_matrix.radius();
   std::vector<TeMapSample> around;

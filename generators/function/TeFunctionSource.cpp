@@ -1,5 +1,7 @@
 #include "generators/function/TeFunctionSource.h"
 
+#include "generators/base/TeFloatEnvironment.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,6 +11,7 @@ constexpr int kBlock = 64;
 
 TeStatus TeFunctionSource::evaluate(const TeMapRequest& request, const TeMapSample* samples,
                                     std::size_t count, float* heights) const {
+  const TeFloatEnvironment environment;
   double x[kBlock];
   double y[kBlock];
   for (std::size_t first = 0; first < count; first += kBlock) {

@@ -66,6 +66,7 @@ std::uint64_t TeNoiseSource::fingerprint() const {
 }
 
 std::unique_ptr<TeHeightJob> TeNoiseSource::start(const TeMapRequest& request) const {
+  const TeFloatEnvironment environment;
   return std::make_unique<NoiseJob>(shared_from_this(), m_settings, m_kernel, request);
 }
 

@@ -1,51 +1,14 @@
 #include "tests/generators/TeEveryGenerator.h"
 
-#include "generators/TeGeneratorRegistry.h"
 #include "generators/base/TeRandom.h"
 
 #include <gtest/gtest.h>
 
-#include <cctype>
 #include <cmath>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
 #include <functional>
-#include <unistd.h>
 
 namespace {
-
-/// A small raster of metres, 10 m apart, with some posts missing; headerless, so that it needs no GDAL.
-class ElevationFile {
-public:
-  ElevationFile()
-      : m_path(std::filesystem::temp_directory_path() /
-               ("terrane_every_generator_" + std::to_string(getpid()) + ".raw")) {
-    std::ofstream out(m_path, std::ios::binary);
-    for (int y = 0; y < 50; ++y)
-      for (int x = 0; x < 60; ++x) {
-        const int height = (x * 7 + y * 3) % 97 == 0 ? -9999 : (x * x + 3 * y * x) % 211;
-        out.put(char(height & 0xFF));
-        out.put(char((height >> 8) & 0xFF));
-      }
-  }
-  ~ElevationFile() {
-    std::error_code ignored;
-    std::filesystem::remove(m_path, ignored);
-  }
-  std::string path() const { return m_path.string(); }
-
-private:
-  std::filesystem::path m_path;
-};
-
-std::string specification(const std::string& generator) {
-  static const ElevationFile file;
-  if (generator == "elevation")
-    return "elevation:encoding=raw,raw-size=60x50,no-data=-9999,posts=10,file=\"" + file.path() + "\"";
-  return generator;
-}
 
 TeHeightSourcePtr make(const TeChainUnderTest& chain) {
   TeResult<TeHeightSourcePtr> source = TeGeneratorRegistry::instance().source(chain.generator, chain.filters);
@@ -66,30 +29,6 @@ const TeMapKey kKeys[] = {{0, 0}, {1, 0}, {0, 1}, {-1, -1}, {2, 3}, {(std::int64
 class EveryGenerator : public testing::TestWithParam<TeChainUnderTest> {};
 
 } // namespace
-
-void PrintTo(const TeChainUnderTest& chain, std::ostream* out) { *out << chain.name(); }
-
-std::string TeChainUnderTest::name() const {
-  std::string name;
-  for (char c : generator.substr(0, generator.find(':')))
-    name += std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
-  for (const std::string& filter : filters)
-    name += "_" + filter;
-  return name;
-}
-
-std::vector<TeChainUnderTest> teEveryGenerator() {
-  std::vector<TeChainUnderTest> all;
-  const TeGeneratorRegistry& registry = TeGeneratorRegistry::instance();
-  for (const std::string& generator : registry.generatorNames())
-    all.push_back({specification(generator), {}});
-  for (const std::string& filter : registry.filterNames()) {
-    all.push_back({"function", {filter}});
-    all.push_back({"faults", {filter}});
-  }
-  all.push_back({"faults", registry.filterNames()});
-  return all;
-}
 
 INSTANTIATE_TEST_SUITE_P(Registry, EveryGenerator, testing::ValuesIn(teEveryGenerator()),
                          [](const auto& info) { return info.param.name(); });
