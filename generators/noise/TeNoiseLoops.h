@@ -1,6 +1,7 @@
 #pragma once
 
 #include "generators/noise/TeNoiseKernel.h"
+#include "generators/noise/TeNoiseWalk.h"
 
 #include <cstdint>
 #include <cstring>
@@ -11,120 +12,14 @@
 /// be called or instantiated: the linker could then give an AVX body to a program on a processor without AVX.
 namespace {
 
-constexpr int kBlock = 256; ///< samples worked on together; their arrays fit the first-level cache
-constexpr int kFractionBits = 52;
-constexpr std::uint64_t kCellFactor = 0x9E3779B97F4A7C15ull;
-constexpr std::uint64_t kFractionMask = (std::uint64_t(1) << kFractionBits) - 1;
-
-std::uint64_t cellOf(TeNoiseCoordinate coordinate) { return std::uint64_t(coordinate >> 64); }
-std::uint64_t fractionOf(TeNoiseCoordinate coordinate) {
-  return std::uint64_t(coordinate) >> (64 - kFractionBits);
-}
-
-/// fraction·2^-52, without the conversion that SSE2 and AVX2 lack for 64-bit integers.
-inline double toUnit(std::uint64_t fraction) {
-  const std::uint64_t bits = fraction | 0x3FF0000000000000ull;
-  double value;
-  std::memcpy(&value, &bits, sizeof value);
-  return value - 1.0;
-}
-
-inline double fade(double t) { return t * t * t * (t * (t * 6.0 - 15.0) + 10.0); }
-
-/// sin(angle·π·2^-31) within 0.0011: a parabola, corrected by its own square.
-inline double sineOf(std::int32_t angle) {
-  const double a = double(angle);
-  const double y = a * (0x1p-29 - 0x1p-60 * __builtin_fabs(a));
-  return y * (0.775 + 0.225 * __builtin_fabs(y));
-}
-
-inline double sine(std::uint32_t angle) { return sineOf(std::int32_t(angle)); }
-inline double cosine(std::uint32_t angle) { return sineOf(std::int32_t(angle + 0x40000000u)); }
-
-/// Hash of a column or row of the lattice, from cell · kCellFactor + seed. A bijection: no two of the 2^64
-/// columns have the same.
-inline std::uint64_t lineHash(std::uint64_t z) {
-  z = (z ^ (z >> 32)) * 0xD6E8FEB86659FD93ull;
-  return z ^ (z >> 32);
-}
-
-/// Angle of the gradient where a column and a row of the lattice cross.
-inline std::uint32_t gradientAngle(std::uint64_t columnHash, std::uint64_t rowHash) {
-  const std::uint64_t z = columnHash + rowHash;
-  return std::uint32_t(((z ^ (z >> 32)) * 0xBF58476D1CE4E5B9ull) >> 32);
-}
-
-/// The gradients at the corners of a cell: south-west, south-east, north-west, north-east.
-struct Corners {
-  double swX, swY, seX, seY, nwX, nwY, neX, neY;
+/// Samples' places within their cells, and how far the noise has gone over from one side to the other. Filled
+/// for kLanes samples more than there are.
+struct Fractions {
+  double x[kBlock + kLanes], y[kBlock + kLanes];
+  double u[kBlock + kLanes], v[kBlock + kLanes];
 };
 
-inline Corners corners(std::uint64_t cellX, std::uint64_t cellY, const TeNoiseOctave& octave) {
-  const std::uint64_t columnX = cellX * kCellFactor + octave.seedX;
-  const std::uint64_t rowY = cellY * kCellFactor + octave.seedY;
-  const std::uint64_t west = lineHash(columnX);
-  const std::uint64_t east = lineHash(columnX + kCellFactor);
-  const std::uint64_t south = lineHash(rowY);
-  const std::uint64_t north = lineHash(rowY + kCellFactor);
-  const std::uint32_t sw = gradientAngle(west, south);
-  const std::uint32_t se = gradientAngle(east, south);
-  const std::uint32_t nw = gradientAngle(west, north);
-  const std::uint32_t ne = gradientAngle(east, north);
-  return {cosine(sw), sine(sw), cosine(se), sine(se), cosine(nw), sine(nw), cosine(ne), sine(ne)};
-}
-
-inline double noiseInCell(const Corners& g, double x, double y, double u, double v) {
-  const double x1 = x - 1.0;
-  const double y1 = y - 1.0;
-  const double sw = g.swX * x + g.swY * y;
-  const double se = g.seX * x1 + g.seY * y;
-  const double nw = g.nwX * x + g.nwY * y1;
-  const double ne = g.neX * x1 + g.neY * y1;
-  const double west = sw + v * (nw - sw);
-  const double east = se + v * (ne - se);
-  return west + u * (east - west);
-}
-
-/// Where the samples of a block are: in a row, or anywhere.
-struct Samples {
-  int count;
-  bool row;
-  std::int64_t firstX, firstY; ///< of a row
-  const std::int64_t* halfX;   ///< of samples anywhere
-  const std::int64_t* halfY;
-};
-
-TeNoiseCoordinate coordinateX(const TeNoiseOctave& octave, std::int64_t halfX, std::int64_t halfY) {
-  return TeNoiseCoordinate(halfX) * octave.along + TeNoiseCoordinate(halfY) * octave.across + octave.offsetX;
-}
-TeNoiseCoordinate coordinateY(const TeNoiseOctave& octave, std::int64_t halfX, std::int64_t halfY) {
-  return TeNoiseCoordinate(halfY) * octave.along - TeNoiseCoordinate(halfX) * octave.across + octave.offsetY;
-}
-
-/// Coordinates of a block's samples in one octave.
-struct Positions {
-  std::uint64_t cellX[kBlock], cellY[kBlock];
-  std::uint64_t fractionX[kBlock], fractionY[kBlock]; ///< in 2^-kFractionBits
-};
-
-void locate(const Samples& samples, const TeNoiseOctave& octave, Positions& at) {
-  TeNoiseCoordinate x = coordinateX(octave, samples.firstX, samples.firstY);
-  TeNoiseCoordinate y = coordinateY(octave, samples.firstX, samples.firstY);
-  for (int j = 0; j < samples.count; ++j) {
-    if (!samples.row) {
-      x = coordinateX(octave, samples.halfX[j], samples.halfY[j]);
-      y = coordinateY(octave, samples.halfX[j], samples.halfY[j]);
-    }
-    at.cellX[j] = cellOf(x);
-    at.cellY[j] = cellOf(y);
-    at.fractionX[j] = fractionOf(x);
-    at.fractionY[j] = fractionOf(y);
-    x += 2 * octave.along;
-    y -= 2 * octave.across;
-  }
-}
-
-/// Raw noise of an octave at any positions.
+/// Raw noise of an octave for samples that each have a cell of their own.
 void noiseAt(const Positions& at, const TeNoiseOctave& octave, int count, double* __restrict noise) {
   for (int j = 0; j < count; ++j) {
     const double x = toUnit(at.fractionX[j]);
@@ -133,73 +28,9 @@ void noiseAt(const Positions& at, const TeNoiseOctave& octave, int count, double
   }
 }
 
-/// Where a coordinate that grows by less than a cell a sample enters new cells. Without branches: they would
-/// be mispredicted at every other cell.
-class Crossings {
-public:
-  Crossings(std::uint64_t fraction, std::uint64_t step, std::uint64_t count) : m_step(step) {
-    const std::uint64_t inCell = step == 0 ? count : ~std::uint64_t(0) / step;
-    const std::uint64_t first = step == 0 ? count : ~fraction / step + 1;
-    m_perCell = inCell < count ? inCell : count;
-    m_next = first < count ? first : count;
-    m_fraction = fraction + m_next * step;
-  }
-
-  /// The first sample in the next cell.
-  std::uint64_t next() const { return m_next; }
-  /// Goes on to the cell after that, if this is where sample j is.
-  std::uint64_t passIf(bool here) {
-    const std::uint64_t mask = 0 - std::uint64_t(here);
-    const std::uint64_t advance = m_perCell * m_step;
-    const std::uint64_t oneMore = m_fraction + advance >= m_fraction;
-    m_next += (m_perCell + oneMore) & mask;
-    m_fraction += (advance + (m_step & (0 - oneMore))) & mask;
-    return here;
-  }
-
-private:
-  std::uint64_t m_step;
-  std::uint64_t m_perCell; ///< samples in a cell: this many, or one more
-  std::uint64_t m_next;
-  std::uint64_t m_fraction; ///< at sample m_next
-};
-
-/// Cells that a block's row passes through, and the samples in each.
-struct Passage {
-  int cells = 0;
-  int first[kBlock + 1];
-  std::uint64_t x[kBlock], y[kBlock];
-};
-
-/// Raw noise of an octave along a row, x growing and y falling by less than a cell a sample: the gradients of
-/// a cell are computed once for all its samples.
-void noiseInRow(const Samples& samples, const TeNoiseOctave& octave, double* __restrict noise) {
-  const TeNoiseCoordinate startX = coordinateX(octave, samples.firstX, samples.firstY);
-  const TeNoiseCoordinate startY = coordinateY(octave, samples.firstX, samples.firstY);
-  const std::uint64_t fractionX = std::uint64_t(startX);
-  const std::uint64_t fractionY = std::uint64_t(startY);
-  const std::uint64_t stepX = std::uint64_t(2 * octave.along);
-  const std::uint64_t stepY = std::uint64_t(2 * octave.across);
-  const std::uint64_t count = std::uint64_t(samples.count);
-
-  Passage passage;
-  Crossings eastward(fractionX, stepX, count);
-  Crossings southward(~fractionY, stepY, count); // falls as its complement grows
-  std::uint64_t cellX = cellOf(startX);
-  std::uint64_t cellY = cellOf(startY);
-  for (std::uint64_t j = 0; j < count;) {
-    passage.first[passage.cells] = int(j);
-    passage.x[passage.cells] = cellX;
-    passage.y[passage.cells] = cellY;
-    ++passage.cells;
-    const std::uint64_t x = eastward.next();
-    const std::uint64_t y = southward.next();
-    j = x < y ? x : y;
-    cellX += eastward.passIf(x == j);
-    cellY -= southward.passIf(y == j);
-  }
-  passage.first[passage.cells] = samples.count;
-
+/// Raw noise of an octave where neighbours share cells: gradients once a cell. Writes kLanes more.
+void noiseInCells(const Passage& passage, const Fractions& at, const TeNoiseOctave& octave,
+                  double* __restrict noise) {
   double g[8][kBlock];
   for (int i = 0; i < passage.cells; ++i) {
     const Corners c = corners(passage.x[i], passage.y[i], octave);
@@ -212,30 +43,59 @@ void noiseInRow(const Samples& samples, const TeNoiseOctave& octave, double* __r
     g[6][i] = c.neX;
     g[7][i] = c.neY;
   }
-
   // Vectors run over the end of a cell's samples; the next cell's then overwrite what they left there.
-  double x[kBlock + kLanes], y[kBlock + kLanes], u[kBlock + kLanes], v[kBlock + kLanes];
-  for (int j = 0; j < samples.count + kLanes; ++j) {
-    x[j] = toUnit((fractionX + std::uint64_t(j) * stepX) >> (64 - kFractionBits));
-    y[j] = toUnit((fractionY - std::uint64_t(j) * stepY) >> (64 - kFractionBits));
-    u[j] = fade(x[j]);
-    v[j] = fade(y[j]);
-  }
   for (int i = 0; i < passage.cells; ++i) {
     const Corners c{g[0][i], g[1][i], g[2][i], g[3][i], g[4][i], g[5][i], g[6][i], g[7][i]};
     for (int j = passage.first[i]; j < passage.first[i + 1]; j += kLanes)
       for (int k = 0; k < kLanes; ++k)
-        noise[j + k] = noiseInCell(c, x[j + k], y[j + k], u[j + k], v[j + k]);
+        noise[j + k] = noiseInCell(c, at.x[j + k], at.y[j + k], at.u[j + k], at.v[j + k]);
   }
+}
+
+/// True if a row enters so few cells that it pays to share them: less than this many a half sample, as a
+/// 64-bit fraction.
+bool fewCells(const TeNoiseOctave& octave, std::uint64_t limit) {
+  return octave.along < limit && octave.across < limit && octave.along + octave.across < limit;
+}
+
+void noiseInRow(const Samples& samples, const TeNoiseOctave& octave, double* __restrict noise) {
+  const TeNoiseCoordinate startX = coordinateX(octave, samples.firstX, samples.firstY);
+  const TeNoiseCoordinate startY = coordinateY(octave, samples.firstX, samples.firstY);
+  const std::uint64_t stepX = std::uint64_t(2 * octave.along);
+  const std::uint64_t stepY = std::uint64_t(2 * octave.across);
+  Passage passage;
+  walkRow(startX, startY, stepX, stepY, samples.count, passage);
+  Fractions at;
+  const std::uint64_t fractionX = std::uint64_t(startX);
+  const std::uint64_t fractionY = std::uint64_t(startY);
+  for (int j = 0; j < samples.count + kLanes; ++j) {
+    at.x[j] = toUnit((fractionX + std::uint64_t(j) * stepX) >> (64 - kFractionBits));
+    at.y[j] = toUnit((fractionY - std::uint64_t(j) * stepY) >> (64 - kFractionBits));
+    at.u[j] = fade(at.x[j]);
+    at.v[j] = fade(at.y[j]);
+  }
+  noiseInCells(passage, at, octave, noise);
+}
+
+void noiseOnPath(Positions& positions, const TeNoiseOctave& octave, int count, double* __restrict noise) {
+  Passage passage;
+  walk(positions, count, passage);
+  Fractions at;
+  for (int j = count; j < count + kLanes; ++j)
+    positions.fractionX[j] = positions.fractionY[j] = 0;
+  for (int j = 0; j < count + kLanes; ++j) {
+    at.x[j] = toUnit(positions.fractionX[j]);
+    at.y[j] = toUnit(positions.fractionY[j]);
+    at.u[j] = fade(at.x[j]);
+    at.v[j] = fade(at.y[j]);
+  }
+  noiseInCells(passage, at, octave, noise);
 }
 
 /// Raw noise of an octave at a block's samples; room for kLanes more.
 void noiseOf(const Samples& samples, const TeNoiseOctave& octave, double* noise) {
-  // Cells that a row enters per half sample, as a 64-bit fraction, and up to where it pays to share them.
-  constexpr std::uint64_t kWorthSharing = kLanes < 8 ? 0x5000000000000000u : 0x3000000000000000u;
-  const bool share = octave.along < kWorthSharing && octave.across < kWorthSharing &&
-                     octave.along + octave.across < kWorthSharing;
-  if (samples.row && share) {
+  constexpr std::uint64_t kWorthWalking = kLanes < 8 ? 0x5000000000000000u : 0x3000000000000000u;
+  if (samples.row && fewCells(octave, kWorthWalking)) {
     noiseInRow(samples, octave, noise);
   } else {
     Positions at;
@@ -317,7 +177,11 @@ void warped(const Samples& samples, const TeNoisePlan& plan, double* __restrict 
              samples.count);
     displace(at.cellY, at.fractionY, northward, octave.alongMetre, eastward, -octave.acrossMetre,
              samples.count);
-    noiseAt(at, octave, samples.count, noise);
+    constexpr std::uint64_t kWorthWalking = std::uint64_t(1) << 60; // 8 samples a cell, undisplaced
+    if (samples.row && fewCells(octave, kWorthWalking))
+      noiseOnPath(at, octave, samples.count, noise);
+    else
+      noiseAt(at, octave, samples.count, noise);
     for (int j = 0; j < samples.count; ++j)
       sums[j] += octave.amplitude * noise[j];
   }
