@@ -1,6 +1,6 @@
 #pragma once
 
-#include "patchdb/TeMapStore.h"
+#include "patchdb/TePatchMaps.h"
 #include "patchdb/TePatchMesh.h"
 
 #include <array>
@@ -22,11 +22,21 @@ public:
   const TePatchKey& key() const { return m_key; }
 
   /// Source maps: 0 = centred on the south-west corner of the patch, 1 = south-east, 2 = north-west,
-  /// 3 = north-east. Null before prepareBuildMaps() and after dropMaps().
+  /// 3 = north-east. Null before prepareBuildMaps() and after dropMaps(), and those that are not needed (see
+  /// TeNeededMaps).
   const TeSourceMapPtr& map(int corner) const { return m_maps[std::size_t(corner)]; }
-  bool hasMaps() const { return m_maps[0] && m_maps[1] && m_maps[2] && m_maps[3]; }
-  void setMaps(std::array<TeSourceMapPtr, 4> maps) { m_maps = std::move(maps); }
-  void dropMaps() { m_maps = {}; }
+  const TePatchMaps& maps() const { return m_maps; }
+  /// True if all maps that the heights are made from are there.
+  bool hasMaps() const { return m_hasMaps; }
+  /// All maps that are needed.
+  void setMaps(TePatchMaps maps) {
+    m_maps = std::move(maps);
+    m_hasMaps = true;
+  }
+  void dropMaps() {
+    m_maps = {};
+    m_hasMaps = false;
+  }
 
   bool hasHeights() const { return !m_heights.empty(); }
   /// (n+1)×(n+1) samples; sample (0, 0) is the south-west corner. Empty before buildHeights().
@@ -58,7 +68,8 @@ private:
 
   TePatchKey m_key; // with the heights in one cache line, for point queries
   TeHeightMap m_heights;
-  std::array<TeSourceMapPtr, 4> m_maps;
+  TePatchMaps m_maps;
+  bool m_hasMaps = false;
   float m_minimum = 0;
   float m_maximum = 0;
   float m_deviation = 0;

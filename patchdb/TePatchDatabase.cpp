@@ -1,6 +1,5 @@
 #include "patchdb/TePatchDatabase.h"
 
-#include "patchdb/TeFourMapBlend.h"
 #include "patchdb/TeMeshBuilder.h"
 #include "patchdb/TePatchJob.h"
 #include "patchdb/TeSeamBuilder.h"
@@ -32,31 +31,24 @@ bool TePatchDatabase::remove(const TePatchKey& key) {
 }
 
 TeStatus TePatchDatabase::prepareBuildMaps(TePatchData& patch) {
-  if (patch.key().level != 0)
-    return TeError{"patch " + patch.key().text() + ": only patches of level 0 are made from source maps"};
-  std::array<TeSourceMapPtr, 4> maps;
-  for (int corner = 0; corner < 4; ++corner) {
-    TeMapJob job(*this, TePatchJob::mapKey(patch.key(), corner));
-    TeAllowance all = TeAllowance::unlimited();
-    if (job.step(all) == TeProgress::Failed)
-      return TeError{"patch " + patch.key().text() + ": " + job.error().message};
-    maps[std::size_t(corner)] = job.map();
-  }
-  patch.setMaps(std::move(maps));
+  TePatchJob job(*this, patch.key());
+  TeAllowance all = TeAllowance::unlimited();
+  if (job.makeMaps(all) == TeProgress::Failed)
+    return job.error();
+  patch.setMaps(job.maps());
   return {};
 }
 
 TeStatus TePatchDatabase::buildHeights(TePatchData& patch) {
   if (!patch.hasMaps())
     return TeError{"patch " + patch.key().text() + ": its source maps were not prepared"};
-  const int side = lattice().cells() + 1;
-  TeResult<TeHeightMap> heights = TeHeightMap::create(side, side);
-  if (!heights)
-    return heights.error();
-  TeFourMapBlend(patch.map(0)->heights, patch.map(1)->heights, patch.map(2)->heights, patch.map(3)->heights,
-                 *heights)
-      .finish();
-  patch.setHeights(std::move(*heights));
+  TeResult<std::unique_ptr<TeHeightBuilder>> builder =
+      TeHeightBuilder::create(patch.maps(), lattice().cells());
+  if (!builder)
+    return builder.error();
+  TeAllowance all = TeAllowance::unlimited();
+  (*builder)->step(all);
+  patch.setHeights((*builder)->take());
   return {};
 }
 

@@ -55,7 +55,8 @@ public:
   /// Stores a map that mapSource() has made, or finds it.
   TeSourceMapPtr addMap(TeMapKey key, TeHeightMap heights) { return m_maps.add(key, std::move(heights)); }
 
-  /// Makes (or finds) the four source maps of a base patch; at once. TePatchJob does it in slices.
+  /// Makes (or finds) the source maps of a base patch, all that its heights need (TeNeededMaps); at once.
+  /// TePatchJob does it in slices.
   TeStatus prepareBuildMaps(TePatchData& patch);
   /// Blends the patch's heights from its source maps; error: maps missing.
   TeStatus buildHeights(TePatchData& patch);

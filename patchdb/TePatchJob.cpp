@@ -10,13 +10,18 @@ TePatchJob::TePatchJob(TePatchDatabase& database, const TePatchKey& key) : m_dat
 TeProgress TePatchJob::fail(const TeError& error) {
   m_error.message = "patch " + m_key.text() + ": " + error.message;
   m_mapJob.reset();
-  m_blend.reset();
+  m_builder.reset();
   return TeProgress::Failed;
 }
 
 TeProgress TePatchJob::step(TeAllowance& allowance) {
-  if (m_progress == TeProgress::Working)
-    m_progress = makeMaps(allowance);
+  if (m_progress != TeProgress::Working)
+    return m_progress;
+  const TeProgress maps = makeMaps(allowance);
+  if (maps == TeProgress::Done)
+    m_progress = makeHeights(allowance);
+  else if (maps == TeProgress::Failed)
+    m_progress = maps;
   return m_progress;
 }
 
@@ -26,11 +31,25 @@ TeProgress TePatchJob::finish() {
 }
 
 TeProgress TePatchJob::makeMaps(TeAllowance& allowance) {
+  if (m_progress == TeProgress::Failed)
+    return m_progress;
+  if (!m_needed) {
+    // All four sources are remembered even where one map is enough: the neighbours share the others.
+    std::array<TeHeightSourcePtr, 4> sources;
+    for (int corner = 0; corner < 4; ++corner) {
+      const TeResult<TeHeightSourcePtr> source = m_database->mapSource(teMapKey(m_key, corner));
+      if (!source)
+        return fail(source.error());
+      sources[std::size_t(corner)] = *source;
+    }
+    m_needed.emplace(m_key, sources);
+  }
+  const std::int64_t spent = allowance.unitsSpent();
   for (int corner = 0; corner < 4; ++corner) {
-    if (m_maps[std::size_t(corner)])
+    if (m_maps[std::size_t(corner)] || !(*m_needed)[corner])
       continue;
     if (!m_mapJob)
-      m_mapJob = std::make_unique<TeMapJob>(*m_database, mapKey(m_key, corner));
+      m_mapJob = std::make_unique<TeMapJob>(*m_database, teMapKey(m_key, corner));
     const TeProgress progress = m_mapJob->step(allowance);
     if (progress == TeProgress::Failed)
       return fail(m_mapJob->error());
@@ -38,29 +57,28 @@ TeProgress TePatchJob::makeMaps(TeAllowance& allowance) {
       return progress;
     m_maps[std::size_t(corner)] = m_mapJob->map();
     m_mapJob.reset();
-    if (allowance.exhausted())
+    // A map that was found costs nothing, so that going on is the one unit that every slice does.
+    if (allowance.exhausted() && allowance.unitsSpent() > spent)
       return TeProgress::Working;
   }
-  return makeHeights(allowance);
+  return TeProgress::Done;
 }
 
 TeProgress TePatchJob::makeHeights(TeAllowance& allowance) {
-  if (!m_blend) {
-    const int side = m_database->lattice().cells() + 1;
-    TeResult<TeHeightMap> heights = TeHeightMap::create(side, side);
-    if (!heights)
-      return fail(heights.error());
-    m_heights = std::move(*heights);
-    m_blend = std::make_unique<TeFourMapBlend>(m_maps[0]->heights, m_maps[1]->heights, m_maps[2]->heights,
-                                               m_maps[3]->heights, m_heights);
+  if (!m_builder) {
+    TeResult<std::unique_ptr<TeHeightBuilder>> builder =
+        TeHeightBuilder::create(m_maps, m_database->lattice().cells());
+    if (!builder)
+      return fail(builder.error());
+    m_builder = std::move(*builder);
   }
-  if (!m_blend->step(allowance))
+  if (!m_builder->step(allowance))
     return TeProgress::Working;
-  m_blend.reset();
   const TeResult<TePatchData*> patch = m_database->lookup(m_key, TeLookup::Create);
   if (!patch)
     return fail(patch.error());
   (*patch)->setMaps(std::move(m_maps));
-  (*patch)->setHeights(std::move(m_heights));
+  (*patch)->setHeights(m_builder->take());
+  m_builder.reset();
   return TeProgress::Done;
 }

@@ -1,11 +1,9 @@
 #pragma once
 
-#include "patchdb/TeFourMapBlend.h"
+#include "patchdb/TeHeightBuilder.h"
 #include "patchdb/TeMapJob.h"
 
-#include <array>
-
-/// Makes one base patch in slices: finds or makes its four source maps, blends them, and stores the result in
+/// Makes one base patch in slices: finds or makes its source maps, blends them, and stores the result in
 /// the patch's record. Any slicing and any order of jobs gives the same bits. The database must outlive the
 /// job; the record may come and go meanwhile.
 class TePatchJob {
@@ -20,13 +18,11 @@ public:
   /// Only after Failed.
   const TeError& error() const { return m_error; }
 
-  /// Key of the source map of a corner: 0 = south-west, 1 = south-east, 2 = north-west, 3 = north-east.
-  static TeMapKey mapKey(const TePatchKey& patch, int corner) {
-    return {patch.x + corner % 2, patch.y + corner / 2};
-  }
+  /// Finds or makes the maps; Done when all are there.
+  TeProgress makeMaps(TeAllowance& allowance);
+  const TePatchMaps& maps() const { return m_maps; }
 
 private:
-  TeProgress makeMaps(TeAllowance& allowance);
   TeProgress makeHeights(TeAllowance& allowance);
   TeProgress fail(const TeError& error);
 
@@ -34,8 +30,8 @@ private:
   TePatchKey m_key;
   TeProgress m_progress = TeProgress::Working;
   TeError m_error;
+  std::optional<TeNeededMaps> m_needed;
   std::unique_ptr<TeMapJob> m_mapJob;
-  std::array<TeSourceMapPtr, 4> m_maps;
-  TeHeightMap m_heights;
-  std::unique_ptr<TeFourMapBlend> m_blend;
+  TePatchMaps m_maps;
+  std::unique_ptr<TeHeightBuilder> m_builder;
 };
