@@ -3,6 +3,7 @@
 #include "generators/TeLattice.h"
 #include "generators/base/TeHash.h"
 #include "generators/base/TeLog.h"
+#include "generators/elevation/TeClassicNetCdf.h"
 #include "generators/elevation/TeGdal.h"
 #include "generators/elevation/TePlainFile.h"
 #include "generators/elevation/TeRawRasterFile.h"
@@ -62,6 +63,9 @@ TeStatus TeElevationFile::openRaster(const TeElevationOptions& options) {
     const TeResult<std::string> format = teRasterFormat(m_path);
     if (!format)
       return format.error();
+    if (*format == "netCDF")
+      if (TeStatus ok = teCheckClassicNetCdf(m_path); !ok)
+        return ok;
     const TeResult<const TeGdal*> gdal = TeGdal::module();
     if (!gdal)
       return TeError{m_path + ": " + gdal.error().message};
@@ -71,6 +75,8 @@ TeStatus TeElevationFile::openRaster(const TeElevationOptions& options) {
     raster = std::move(*opened);
   }
   const TeRasterInfo info = raster->info();
+  if (TeStatus ok = checkTextSize(info); !ok)
+    return ok;
   const int bandsNeeded = options.band + (options.encoding == TeElevationEncoding::Terrarium ? 2 : 0);
   if (info.bands < bandsNeeded)
     return TeError{m_path + ": has " + std::to_string(info.bands) + " bands, but band " +
@@ -82,6 +88,22 @@ TeStatus TeElevationFile::openRaster(const TeElevationOptions& options) {
   if (TeStatus ok = chooseFrame(options, info); !ok)
     return ok;
   return measure();
+}
+
+// A post in a text grid takes a digit and a separator at least; GDAL would look for them all over again for
+// every row that is not there.
+TeStatus TeElevationFile::checkTextSize(const TeRasterInfo& info) const {
+  if (info.format != "AAIGrid")
+    return {};
+  const TeResult<TeFileStamp> stamp = teFileStamp(m_path);
+  if (!stamp)
+    return stamp.error();
+  const std::uint64_t needed = 2 * std::uint64_t(info.columns) * std::uint64_t(info.rows) - 1;
+  if (stamp->bytes >= needed)
+    return {};
+  return TeError{m_path + ": " + std::to_string(stamp->bytes) + " bytes, but " +
+                 std::to_string(info.columns) + "x" + std::to_string(info.rows) + " posts take at least " +
+                 std::to_string(needed)};
 }
 
 TeStatus TeElevationFile::chooseUnits(const TeElevationOptions& options, const TeRasterInfo& info) {
@@ -288,5 +310,5 @@ TeResult<double> TeElevationFile::coveringSpacing(int patches, int samples) cons
     return lattice.error();
   const double half =
       std::max(std::max(-m_extent.west, m_extent.east), std::max(-m_extent.south, m_extent.north));
-  return 2 * half / (double(patches) * lattice->cells());
+  return half > 0 ? 2 * half / (double(patches) * lattice->cells()) : m_postSpacing.x;
 }

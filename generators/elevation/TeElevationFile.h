@@ -70,12 +70,14 @@ public:
   TeResult<TePlanePoint> fromGeographic(TeGeographicPosition position) const;
 
   /// The smallest spacing at which a block of patches × patches patches of source maps of `samples` samples,
-  /// centred on the file's centre, covers the whole extent. Error: sizes out of range.
+  /// centred on the file's centre, covers the whole extent; that of the posts if there is but one. Error:
+  /// sizes out of range.
   TeResult<double> coveringSpacing(int patches, int samples) const;
 
 private:
   TeElevationFile() = default;
   TeStatus openRaster(const TeElevationOptions& options);
+  TeStatus checkTextSize(const TeRasterInfo& info) const;
   TeStatus chooseUnits(const TeElevationOptions& options, const TeRasterInfo& info);
   TeStatus chooseFrame(const TeElevationOptions& options, TeRasterInfo info);
   TeStatus measure();

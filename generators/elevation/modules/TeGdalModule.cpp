@@ -72,10 +72,7 @@ public:
   }
 
   std::shared_ptr<const TeMapProjection> geographicDegrees() const override {
-    OGRSpatialReference wgs84;
-    if (wgs84.SetWellKnownGeogCS("WGS84") != OGRERR_NONE)
-      return nullptr;
-    return TeGdalProjection::create(wgs84);
+    return TeGdalProjection::degrees();
   }
 };
 

@@ -7,22 +7,25 @@
 #include <memory>
 #include <mutex>
 
-/// A coordinate system of a file, by PROJ.
+/// A coordinate system of a file, by PROJ. The search for the way to longitude and latitude, some 10 ms, is
+/// put off until someone asks.
 class TeGdalProjection final : public TeMapProjection {
 public:
-  /// Null if PROJ knows no way to longitude and latitude. Longitudes are taken as the file counts them
-  /// (0 .. 360 too).
-  static std::shared_ptr<const TeMapProjection> create(const OGRSpatialReference& system);
+  /// Longitudes are taken as the file counts them (0 .. 360 too).
+  explicit TeGdalProjection(const OGRSpatialReference& system);
+  /// Longitude and latitude in degrees, WGS 84.
+  static std::shared_ptr<const TeMapProjection> degrees();
 
   bool toGeographic(double x, double y, TeGeographicPosition& position) const override;
   bool fromGeographic(TeGeographicPosition position, double& x, double& y) const override;
 
 private:
-  using Transformation = std::unique_ptr<OGRCoordinateTransformation>;
-  TeGdalProjection(Transformation toWgs84, Transformation fromWgs84)
-      : m_toWgs84(std::move(toWgs84)), m_fromWgs84(std::move(fromWgs84)) {}
+  /// Finds the transformations on first use; false if PROJ knows none.
+  bool prepare() const;
 
   mutable std::mutex m_mutex; ///< transformations are not thread-safe
-  Transformation m_toWgs84;
-  Transformation m_fromWgs84;
+  OGRSpatialReference m_system;
+  mutable bool m_prepared = false;
+  mutable std::unique_ptr<OGRCoordinateTransformation> m_toWgs84;
+  mutable std::unique_ptr<OGRCoordinateTransformation> m_fromWgs84;
 };

@@ -119,19 +119,17 @@ void TeGdalRasterFile::describeSystem() {
     m_info.horizontalUnit = system->GetAngularUnits();
     m_info.semiMajor = system->GetSemiMajor();
     m_info.inverseFlattening = system->GetInvFlattening();
-    m_projection = TeGdalProjection::create(*system);
+    m_projection = std::make_shared<TeGdalProjection>(*system);
   } else if (system && (system->IsProjected() || system->IsGeocentric())) {
     m_info.horizontal = TeHorizontalKind::Linear;
     m_info.horizontalUnit = system->GetLinearUnits();
-    m_projection = TeGdalProjection::create(*system);
+    m_projection = std::make_shared<TeGdalProjection>(*system);
   } else if (system && system->IsLocal()) {
     m_info.horizontalUnit = system->GetLinearUnits();
   } else if (namesDegrees(m_dataset->GetMetadata())) {
     m_info.horizontal = TeHorizontalKind::Geographic;
     m_info.horizontalUnit = 0.017453292519943295;
-    OGRSpatialReference wgs84;
-    if (wgs84.SetWellKnownGeogCS("WGS84") == OGRERR_NONE)
-      m_projection = TeGdalProjection::create(wgs84);
+    m_projection = TeGdalProjection::degrees();
   }
 }
 
