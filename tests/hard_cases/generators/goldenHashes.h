@@ -1,6 +1,6 @@
 {"faults", 0x933D41C178742AF8},
 {"midpoint", 0xEE4DEA84DF700E36},
-{"circles", 0x012857F7A1547D4B},
+{"circles", 0xFDFD15BA01E7DFAF},
 {"function", 0xB020E73A74929731},
 {"noise", 0xA36AEB816E38004D},
 {"elevation", 0x42C221D8FD8866FC},
