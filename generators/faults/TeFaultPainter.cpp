@@ -5,7 +5,8 @@
 namespace {
 
 constexpr std::int64_t kWorkPerUnit = 16384;
-constexpr std::int64_t kKnotRowsPerCall = 4096;
+constexpr int kWorkPerCall = 4096;
+constexpr int kWorkPerPlacing = 8;
 
 } // namespace
 
@@ -32,23 +33,24 @@ void TeFaultPainter::beginBand(const TeHeightMap& map, int first) {
   m_bandFirst = first;
   m_bandRows = std::min(m_maxBandRows, map.height() - first);
   m_bandRow = 0;
-  m_knot = 0;
+  m_added = 0;
+  m_sweep.beginBand(first, m_bandRows);
 }
 
 std::int64_t TeFaultPainter::sweep(TeHeightMap& map) {
-  if (m_knot < m_sweep.knots()) {
-    const std::size_t count = std::size_t(std::max<std::int64_t>(1, kKnotRowsPerCall / m_bandRows));
-    const std::size_t end = std::min(m_knot + count, m_sweep.knots());
-    m_sweep.addKnots(m_knot, end, m_bandRows);
-    const std::int64_t work = std::int64_t(end - m_knot) * m_bandRows;
-    m_knot = end;
+  if (m_added < m_sweep.faults()) {
+    const int workPerFault = kWorkPerPlacing + m_bandRows * (m_source->isSmooth() ? 3 : 1);
+    const std::size_t count = std::size_t(std::max(1, kWorkPerCall / workPerFault));
+    const std::size_t end = std::min(m_added + count, m_sweep.faults());
+    m_sweep.addFaults(m_added, end);
+    const std::int64_t work = std::int64_t(end - m_added) * workPerFault;
+    m_added = end;
     return work;
   }
-  m_sweep.finishRow(m_bandRow, m_sums.data());
+  m_sweep.finishRow(m_sums.data());
   m_source->heights(m_sums.data(), m_sums.size(), map.row(m_bandFirst + m_bandRow) + m_stripFirst);
   const std::int64_t work = m_stripWidth;
   if (++m_bandRow == m_bandRows) {
-    m_sweep.nextBand();
     if (m_bandFirst + m_bandRows == map.height())
       beginStrip(map, m_stripFirst + m_stripWidth);
     else

@@ -19,7 +19,7 @@ public:
 private:
   void beginStrip(const TeHeightMap& map, int first);
   void beginBand(const TeHeightMap& map, int first);
-  /// Adds some knots to the present band of rows, or writes a row of it; returns the work done.
+  /// Adds some faults to the present band of rows, or writes a row of it; returns the work done.
   std::int64_t sweep(TeHeightMap& map);
 
   const TeFaultFormation* m_source;
@@ -29,7 +29,7 @@ private:
   int m_bandFirst = 0; ///< first row of the band
   int m_bandRows = 0;  ///< rows of the present band
   int m_maxBandRows = 0;
-  int m_bandRow = 0;      ///< rows of it that are written
-  std::size_t m_knot = 0; ///< knots that are in it
+  int m_bandRow = 0;       ///< rows of it that are written
+  std::size_t m_added = 0; ///< faults that are in it
   std::vector<std::int64_t> m_sums;
 };
