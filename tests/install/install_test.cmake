@@ -45,3 +45,12 @@ build_with_pkg_config(terrane scene)
 expect_same("${scene}")
 run(${PKG_CONFIG} --modversion terrane)
 expect_same("${VERSION}\n")
+
+unset(ENV{DISPLAY})
+run(${SCRATCH}/prefix/bin/terrane-static --size 64x48 --quiet --offscreen ${SCRATCH}/picture.png
+    --export ${SCRATCH}/scene.iv)
+foreach(written picture.png scene.iv)
+  if(NOT EXISTS ${SCRATCH}/${written})
+    message(FATAL_ERROR "the installed terrane-static wrote no ${written}")
+  endif()
+endforeach()
