@@ -11,7 +11,8 @@
 /// thread-safe, any number of readers may share a file.
 class TeElevationReader {
 public:
-  explicit TeElevationReader(TeElevationFilePtr file) : m_file(std::move(file)) {}
+  explicit TeElevationReader(TeElevationFilePtr file)
+      : m_file(std::move(file)), m_sideBits(m_file->tiles().sideBits()) {}
 
   const TeElevationFile& file() const { return *m_file; }
   /// Tiles taken from the file so far, from its cache or by reading.
@@ -24,7 +25,11 @@ public:
   TeStatus post(int column, int row, float& height);
 
 private:
+  /// The tile that holds a post.
+  TeStatus tileOf(int column, int row, const TeElevationTile*& tile);
+
   TeElevationFilePtr m_file;
+  int m_sideBits;
   struct Slot {
     int across = -1;
     int down = -1;

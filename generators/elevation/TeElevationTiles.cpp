@@ -8,9 +8,9 @@
 
 namespace {
 
-constexpr int kSide = 128;
+constexpr int kSideBits = 7;
 // Filling reads a tile's surrounding too, which pays only for larger tiles.
-constexpr int kFilledSide = 512;
+constexpr int kFilledSideBits = 9;
 
 std::uint64_t tileKey(int across, int down) { return std::uint64_t(down) << 32 | std::uint32_t(across); }
 
@@ -20,7 +20,8 @@ TeElevationTiles::TeElevationTiles(std::unique_ptr<TeRasterFile> raster, const T
                                    double metresPerStep)
     : m_raster(std::move(raster)), m_info(m_raster->info()), m_decoder(m_info, options, metresPerStep),
       m_terrarium(options.encoding == TeElevationEncoding::Terrarium), m_band(options.band),
-      m_fillDistance(options.fillDistance), m_side(options.fillDistance > 0 ? kFilledSide : kSide) {}
+      m_fillDistance(options.fillDistance),
+      m_sideBits(options.fillDistance > 0 ? kFilledSideBits : kSideBits) {}
 
 TeResult<TeElevationTiles::TilePtr> TeElevationTiles::tile(int across, int down) const {
   const std::uint64_t key = tileKey(across, down);
@@ -60,10 +61,10 @@ void TeElevationTiles::insert(std::uint64_t key, const TilePtr& tile) const {
 TeResult<TeElevationTiles::TilePtr> TeElevationTiles::load(int across, int down) const {
   const TeFloatEnvironment environment;
   auto tile = std::make_shared<TeElevationTile>();
-  tile->column = across * m_side;
-  tile->row = down * m_side;
-  tile->columns = std::min(m_side, m_info.columns - tile->column);
-  const int rows = std::min(m_side, m_info.rows - tile->row);
+  tile->column = across * side();
+  tile->row = down * side();
+  tile->columns = std::min(side(), m_info.columns - tile->column);
+  const int rows = std::min(side(), m_info.rows - tile->row);
   if (TeStatus ok = readHeights({tile->column, tile->row, tile->columns, rows}, tile->heights); !ok)
     return ok.error();
   const bool voids = std::any_of(tile->heights.begin(), tile->heights.end(), TeHeightMap::isMissing);

@@ -31,9 +31,10 @@ public:
                    double metresPerStep);
 
   /// Posts of a tile's side: tile (i, j) has the posts from (i·side, j·side) on, fewer at the far edges.
-  int side() const { return m_side; }
-  int tilesAcross() const { return (m_info.columns - 1) / m_side + 1; }
-  int tilesDown() const { return (m_info.rows - 1) / m_side + 1; }
+  int side() const { return 1 << m_sideBits; }
+  int sideBits() const { return m_sideBits; }
+  int tilesAcross() const { return (m_info.columns - 1) / side() + 1; }
+  int tilesDown() const { return (m_info.rows - 1) / side() + 1; }
 
   /// A tile that exists. Cost: a lock and a look-up if it is in memory, else its reading (and filling).
   TeResult<TilePtr> tile(int across, int down) const;
@@ -60,7 +61,7 @@ private:
   bool m_terrarium;
   int m_band;
   int m_fillDistance;
-  int m_side;
+  int m_sideBits;
 
   mutable std::mutex m_rasterMutex;
   mutable std::mutex m_cacheMutex;
