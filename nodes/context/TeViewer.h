@@ -29,6 +29,8 @@ struct TeViewerSession {
 };
 
 /// Shows a scene in an examiner viewer until the window is closed or Q is pressed, or for a number of frames.
-/// Loads SoQt on first use. The scene's own camera and lights are used; near and far planes follow the scene.
-/// Error: no display, SoQt not installed, a window without OpenGL.
+/// Loads SoQt on first use. The scene's own camera and lights are used, a headlight only if it has no light;
+/// near and far planes follow the scene.
+/// Error: no display, SoQt not installed, a window without OpenGL, a window that never becomes visible when a
+/// number of frames is asked for.
 TeResult<TeViewerSession> teRunViewer(SoNode* scene, const TeViewerOptions& options);

@@ -2,6 +2,10 @@
 
 #include "nodes/TeNodes.h"
 
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
 TeContextKind TeRenderTest::s_kind = TeContextKind::Egl;
 std::string TeRenderTest::s_folder;
 
@@ -25,7 +29,7 @@ TePicture TeRenderTest::draw(SoNode* scene, int width, int height, const std::st
     return {};
   }
   if (!s_folder.empty()) {
-    const TeStatus status = picture->writePng(s_folder + "/" + name + "-" + context().name() + ".png");
+    const TeStatus status = picture->writePng(s_folder + "/" + name + ".png");
     EXPECT_TRUE(status) << status.error().message;
   }
   return std::move(*picture);
@@ -48,5 +52,10 @@ extern "C" int teMain(int argc, char** argv) {
     }
   }
   TeNodes::init();
+  if (!TeRenderTest::s_folder.empty()) {
+    std::filesystem::create_directories(TeRenderTest::s_folder);
+    if (const auto context = TeContext::create(TeRenderTest::s_kind, 8, 8))
+      std::ofstream(TeRenderTest::s_folder + "/renderer.txt") << (*context)->renderer() << "\n";
+  }
   return RUN_ALL_TESTS();
 }

@@ -5,19 +5,28 @@
 
 #include <Inventor/Qt/SoQt.h>
 #include <Inventor/Qt/viewers/SoQtExaminerViewer.h>
+#include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/events/SoKeyboardEvent.h>
+#include <Inventor/nodes/SoLight.h>
 #include <Inventor/sensors/SoTimerSensor.h>
 #include <QOpenGLContext>
 #include <QWidget>
 
 #include <algorithm>
 #include <chrono>
-#include <memory>
 
 namespace {
 
 // Without a window manager the first frame is drawn at 100×30 pixels and never again unless asked for.
 constexpr double kSettleSeconds = 1.0;
+constexpr int kMostTries = 10; ///< to draw the first of a number of frames
+
+bool hasLight(SoNode* scene) {
+  SoSearchAction search;
+  search.setType(SoLight::getClassTypeId());
+  search.apply(scene);
+  return search.getPath() != nullptr;
+}
 
 class TeSoQtViewer : public SoQtExaminerViewer {
 public:
@@ -27,9 +36,9 @@ public:
     setBackgroundColor(options.background);
     setTransparencyType(SoGLRenderAction::SORTED_OBJECT_BLEND);
     setAutoClipping(FALSE);
-    setHeadlight(FALSE);
     setDecoration(options.frames == 0);
     setSceneGraph(scene);
+    setHeadlight(!hasLight(scene));
     m_settled.setInterval(kSettleSeconds);
     m_settled.setFunction([](void* viewer, SoSensor*) { static_cast<TeSoQtViewer*>(viewer)->settle(); });
     m_settled.setData(this);
@@ -58,9 +67,17 @@ protected:
 
 private:
   void settle() {
-    m_settled.unschedule();
     m_isSettled = true;
-    scheduleRedraw();
+    if (m_options.frames == 0) {
+      m_settled.unschedule();
+      scheduleRedraw();
+    } else if (m_tries++ < kMostTries) {
+      if (m_session && m_session->frames == 0)
+        render();
+    } else if (m_session && m_session->frames == 0) {
+      m_session = TeError{"the window does not become visible"};
+      SoQt::exitMainLoop();
+    }
   }
 
   /// A frame was drawn that began at `start`.
@@ -117,6 +134,7 @@ private:
   TeViewerOptions m_options;
   SoTimerSensor m_settled;
   bool m_isSettled = false;
+  int m_tries = 0;
   TeGlTable m_gl;
   TeResult<TeViewerSession> m_session = TeViewerSession();
 };
@@ -125,15 +143,17 @@ private:
 
 extern "C" void teRunSoQtViewer(SoNode* scene, const TeViewerOptions& options,
                                 TeResult<TeViewerSession>* session) {
-  const TeResult<QWidget*> top = TeSoQtApplication::start();
-  if (!top) {
+  if (const TeResult<QWidget*> top = TeSoQtApplication::start(); !top) {
     *session = top.error();
     return;
   }
-  const auto viewer = std::make_unique<TeSoQtViewer>(*top, scene, options);
-  (*top)->resize(options.width, options.height);
-  viewer->show();
-  SoQt::show(*top);
-  SoQt::mainLoop();
-  *session = viewer->session();
+  QWidget window;
+  window.resize(options.width, options.height);
+  window.setWindowTitle(options.title.c_str());
+  TeSoQtViewer viewer(&window, scene, options);
+  viewer.setSize(SbVec2s(short(options.width), short(options.height)));
+  viewer.show();
+  SoQt::show(&window);
+  SoQt::mainLoop(); // until the last window is closed, too
+  *session = viewer.session();
 }
