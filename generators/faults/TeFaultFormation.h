@@ -15,7 +15,7 @@
 /// scattered samples.
 ///
 /// Cost, W×H samples and N faults: N·H crossings and W·H additions (smooth profile: three crossings, of
-/// difference arrays of third order). Memory: the map and 200 bytes a fault. A point: N side tests after
+/// difference arrays of third order). Memory: the map and 50 bytes a fault. A point: N side tests after
 /// drawing N faults; many points at most a map.
 class TeFaultFormation final : public TeHeightSource {
 public:
