@@ -22,8 +22,11 @@ TeResult<TePatchData*> TePatchTree::lookup(const TePatchKey& key, TeLookup strat
 }
 
 TePatchData* TePatchTree::nearestWithHeights(const TePatchKey& key) const {
-  for (int coarser = key.level; coarser < int(m_levels.size()); ++coarser) {
-    TePatchData* known = find(*key.ancestor(coarser));
+  TePatchData* known = find(key);
+  if (known && known->hasHeights())
+    return known;
+  for (int coarser = key.level + 1; coarser < int(m_levels.size()); ++coarser) {
+    known = find(*key.ancestor(coarser));
     if (known && known->hasHeights())
       return known;
   }
@@ -66,6 +69,5 @@ std::size_t TePatchTree::bytes() const {
 }
 
 const TeGrowingTree& TePatchTree::level(int level) const {
-  static const TeGrowingTree empty;
-  return level >= 0 && level < int(m_levels.size()) ? m_levels[std::size_t(level)] : empty;
+  return level >= 0 && level < int(m_levels.size()) ? m_levels[std::size_t(level)] : m_noLevel;
 }

@@ -30,4 +30,5 @@ private:
   TePatchData& create(const TePatchKey& key);
 
   std::vector<TeGrowingTree> m_levels;
+  TeGrowingTree m_noLevel;
 };
