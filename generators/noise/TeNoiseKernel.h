@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-/// The loops of gradient noise, compiled once per instruction set from the same text (TeNoiseLoops.h). Every
+/// The loops of gradient noise, compiled once per instruction set from the same text (TeNoiseLoops.inl). Every
 /// path gives the same bits: all use the same IEEE double operations in the same order, none contracts
 /// products and sums. Thread-safe.
 class TeNoiseKernel {
@@ -36,7 +36,7 @@ public:
   static const TeNoiseKernel& best() { return available().back(); }
 };
 
-/// One per translation unit of TeNoiseLoops.h.
+/// One per translation unit of TeNoiseLoops.inl.
 extern const TeNoiseKernel teNoiseKernelScalar;
 extern const TeNoiseKernel teNoiseKernelBaseline;
 #if defined(__x86_64__)

@@ -1,9 +1,11 @@
+#if defined(__x86_64__)
+
 namespace {
 constexpr int kLanes = 4;
 }
 
-#include "generators/noise/TeNoiseLoops.h"
+#include "generators/noise/TeNoiseLoops.inl"
 
-#if defined(__x86_64__)
 const TeNoiseKernel teNoiseKernelAvx2{TeNoiseKernel::Path::Avx2, "avx2", noiseRow, noisePoints};
+
 #endif

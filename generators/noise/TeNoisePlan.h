@@ -15,7 +15,7 @@ __extension__ using TeNoiseCoordinate = unsigned __int128;
 ///     x = hx·along + hy·across + offsetX
 ///     y = hy·along - hx·across + offsetY
 struct TeNoiseOctave {
-  TeNoiseCoordinate along = 0; ///< below half a cell, or no row is walked (TeNoiseLoops.h)
+  TeNoiseCoordinate along = 0; ///< below half a cell, or no row is walked (TeNoiseLoops.inl)
   TeNoiseCoordinate across = 0;
   TeNoiseCoordinate offsetX = 0;
   TeNoiseCoordinate offsetY = 0;

@@ -1,6 +1,5 @@
 #include "generators/noise/TeNoiseSource.h"
 
-#include "generators/TeGeneratorRegistry.h"
 #include "generators/base/TeRandom.h"
 
 #include <gtest/gtest.h>
@@ -166,35 +165,6 @@ TEST(TeNoiseSource, MoreOctavesOnlyAddDetail) {
   for (int y = 0; y < 65; ++y)
     for (int x = 0; x < 65; ++x)
       ASSERT_LE(std::fabs(b.at(x, y) - a.at(x, y) / 1.5f), few.amplitude / 3 + 1e-3);
-}
-
-TEST(TeNoiseSource, UnusableSettingsAreErrorsThatNameTheParameter) {
-  const TeGeneratorRegistry& registry = TeGeneratorRegistry::instance();
-  for (const char* specification :
-       {"noise:octaves=0", "noise:octaves=17", "noise:wavelength=0", "noise:wavelength=nan",
-        "noise:amplitude=inf", "noise:lacunarity=0.5", "noise:gain=2", "noise:type=white", "noise:warp=-1",
-        "noise:warp-octaves=0"}) {
-    const auto source = registry.source(specification);
-    ASSERT_FALSE(source.ok()) << specification;
-    const std::string text = specification;
-    const std::string parameter = text.substr(6, text.find('=') - 6);
-    EXPECT_NE(source.error().message.find(parameter), std::string::npos) << source.error().message;
-  }
-  TeNoiseSettings settings;
-  settings.wavelength = double(NAN);
-  EXPECT_FALSE(TeNoiseSource::create(settings).ok());
-}
-
-TEST(TeNoiseSource, IsInTheRegistry) {
-  const TeMapRequest request = *TeMapRequest::standalone(20, 30, 1.0, 1);
-  const auto source = TeGeneratorRegistry::instance().source("noise:type=warp,octaves=3,warp=0.1,seed=5");
-  ASSERT_TRUE(source.ok()) << source.error().message;
-  TeNoiseSettings settings;
-  settings.type = TeNoiseType::Warp;
-  settings.octaves = 3;
-  settings.warp = 0.1;
-  settings.seed = 5;
-  EXPECT_EQ(*(*source)->generate(request), *(*TeNoiseSource::create(settings))->generate(request));
 }
 
 TEST(TeNoiseSource, ExtremeSettingsGiveFiniteHeights) {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "generators/noise/TeNoiseCell.h"
+#include "generators/noise/TeNoiseCell.inl"
 
-/// Which cells of the lattice a block of samples lies in; part of TeNoiseLoops.h, with the rules stated
+/// Which cells of the lattice a block of samples lies in; part of TeNoiseLoops.inl, with the rules stated
 /// there.
 namespace {
 

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <cstring>
 
-/// Gradient noise inside one cell of the lattice; part of TeNoiseLoops.h, with the rules stated there.
+/// Gradient noise inside one cell of the lattice; part of TeNoiseLoops.inl, with the rules stated there.
 namespace {
 
 constexpr int kFractionBits = 52;

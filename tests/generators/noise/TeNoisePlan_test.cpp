@@ -1,7 +1,8 @@
-#include "generators/noise/TeNoiseReference.h"
+#include "generators/noise/TeNoisePlan.h"
 
 #include "generators/base/TeRandom.h"
 #include "generators/noise/TeNoiseKernel.h"
+#include "generators/noise/TeNoiseReference.h"
 
 #include <gtest/gtest.h>
 
@@ -55,7 +56,7 @@ const char* typeName(TeNoiseType type) {
 
 } // namespace
 
-TEST(TeNoiseReference, HeightsAreWithinTheLastBitAtEveryDistance) {
+TEST(TeNoisePlan, HeightsAreWithinTheLastBitAtEveryDistance) {
   for (TeNoiseType type : {TeNoiseType::Fbm, TeNoiseType::Ridged, TeNoiseType::Warp})
     for (double distance : {0.0, 1e7, 1e12, 0x1p60}) {
       TeNoiseSettings settings;
@@ -70,7 +71,7 @@ TEST(TeNoiseReference, HeightsAreWithinTheLastBitAtEveryDistance) {
     }
 }
 
-TEST(TeNoiseReference, HoldsForOtherSettings) {
+TEST(TeNoisePlan, HoldsForOtherSettings) {
   TeNoiseSettings settings;
   settings.type = TeNoiseType::Warp;
   settings.octaves = 12;
@@ -90,7 +91,7 @@ TEST(TeNoiseReference, HoldsForOtherSettings) {
     }
 }
 
-TEST(TeNoiseReference, GradientsPointEvenlyAllRound) {
+TEST(TeNoisePlan, GradientsPointEvenlyAllRound) {
   const TeNoisePlan plan(TeNoiseSettings(), 3, 1.0);
   constexpr int kSectors = 64;
   constexpr int kSide = 256;
@@ -131,5 +132,34 @@ TEST(TeNoiseReference, GradientsPointEvenlyAllRound) {
       EXPECT_LT(std::fabs(correlation / points), 4.5 * 0.71 / kSide); // standard deviation 0.71/side
     EXPECT_GT(shortest, 0.9988);
     EXPECT_LT(longest, 1.0012);
+  }
+}
+
+TEST(TeNoisePlan, OctavesHaveTheirWavelengthAndTurnAwayFromTheAxes) {
+  TeNoiseSettings settings;
+  settings.wavelength = 317;
+  settings.lacunarity = 1.9;
+  const double spacing = 7.5;
+  const TeNoisePlan plan(settings, 3, spacing);
+  double wavelength = settings.wavelength;
+  for (int k = 0; k < settings.octaves; ++k) {
+    const double east = double(plan.octaves[k].along) * 0x1p-63 / spacing; // cells per metre
+    const double north = double(plan.octaves[k].across) * 0x1p-63 / spacing;
+    EXPECT_NEAR(wavelength * std::hypot(east, north), 1, 1e-14);
+    EXPECT_GT(std::min(east, north) * wavelength, std::sin(7 * M_PI / 180)) << k;
+    wavelength /= settings.lacunarity;
+  }
+}
+
+TEST(TeNoisePlan, AnOctaveDoesNotDependOnTheirNumber) {
+  TeNoiseSettings few;
+  few.octaves = 3;
+  const TeNoisePlan a(few, 3, 1.0);
+  const TeNoisePlan b(TeNoiseSettings(), 3, 1.0);
+  for (int k = 0; k < few.octaves; ++k) {
+    EXPECT_TRUE(a.octaves[k].along == b.octaves[k].along && a.octaves[k].offsetX == b.octaves[k].offsetX);
+    EXPECT_EQ(a.octaves[k].seedX, b.octaves[k].seedX);
+    for (int other = 0; other < k; ++other)
+      EXPECT_NE(b.octaves[k].seedX, b.octaves[other].seedX);
   }
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "generators/noise/TeNoiseKernel.h"
-#include "generators/noise/TeNoiseWalk.h"
+#include "generators/noise/TeNoiseWalk.inl"
 
 #include <cstdint>
 #include <cstring>
