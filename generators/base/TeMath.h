@@ -3,7 +3,7 @@
 /// Elementary functions made of + - * / and exact bit operations alone, so that they have the same bits with
 /// every compiler, library and optimisation, which those of the C library do not promise. Errors are in units
 /// of the result's last place, the largest found against long double over 10^6 arguments (TeMath_test). Not a
-/// number, and arguments outside the domain, give NaN; results too large give infinity. About 10 to 20 ns.
+/// number, and arguments outside the domain, give NaN; results too large give infinity. About 10 to 15 ns.
 /// Source: Cody and Waite 1980 and Payne and Hanek 1983 for the arguments' reduction; series of our own.
 
 /// Error < 2.5, for all finite arguments however large.
