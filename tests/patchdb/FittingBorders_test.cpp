@@ -7,7 +7,9 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 namespace {
 
@@ -65,11 +67,21 @@ void checkBlocks(const std::shared_ptr<const TeSourceChooser>& sources, int samp
   }
 }
 
+/// A generator's specification: its name; for elevation data, with a file if there is one.
+std::string specification(const std::string& name) {
+  if (name != "elevation")
+    return name;
+  const char* folder = std::getenv("TERRANE_DATA");
+  const std::string file =
+      (folder ? std::string(folder) : TERRANE_SOURCE_DIR "/../shared/data") + "/geotiff/mt_rainier_90m.tif";
+  return std::filesystem::exists(file) ? "elevation:file=\"" + file + "\"" : name;
+}
+
 /// Every registered generator that makes maps of this size with its defaults.
 std::vector<TeHeightSourcePtr> registeredSources(int samples, const std::vector<std::string>& filters) {
   std::vector<TeHeightSourcePtr> sources;
   for (const std::string& name : TeGeneratorRegistry::instance().generatorNames()) {
-    const auto source = TeGeneratorRegistry::instance().source(name, filters);
+    const auto source = TeGeneratorRegistry::instance().source(specification(name), filters);
     if (source && (*source)->accepts(samples, samples))
       sources.push_back(*source);
     else

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <thread>
 
 namespace {
 
@@ -197,4 +198,28 @@ TEST(TeSurface, RaysStartOnTheSurfaceAndOnlyPointForward) {
   EXPECT_FALSE(database->intersect({1, 1, 4}, {0.5, 0, 2}, 0.49));
   EXPECT_TRUE(database->intersect({1, 1, 4}, {1e-320, 0, 2}, 100));
   EXPECT_TRUE(database->intersect({1, 1, 4}, {0.5e300, 0, 2e300}, 100));
+}
+
+TEST(TeSurface, QueriesRunOnSeveralThreads) {
+  auto database = teTestDatabase(std::make_shared<TeHashSource>(), 17);
+  buildBlock(*database, -2, 2);
+  const auto sum = [&](std::uint64_t seed) {
+    TeRandom random(seed, 3, {});
+    double total = 0;
+    for (int i = 0; i < 20000; ++i) {
+      const glm::dvec2 point(random.uniform(-19, 19), random.uniform(-19, 19));
+      const auto hit = database->intersect({point, 300}, {0.1, -0.2, -30}, 100);
+      total += *database->heightAt(point) + (hit ? hit->distance : 0);
+    }
+    return total;
+  };
+  const double expected[4] = {sum(0), sum(1), sum(2), sum(3)};
+  double found[4] = {};
+  std::vector<std::thread> threads;
+  for (std::uint64_t t = 0; t < 4; ++t)
+    threads.emplace_back([&, t] { found[t] = sum(t); });
+  for (std::thread& thread : threads)
+    thread.join();
+  for (int t = 0; t < 4; ++t)
+    EXPECT_EQ(found[t], expected[t]);
 }
