@@ -7,7 +7,7 @@
 #include <cstring>
 
 /// The loops of gradient noise, for inclusion by the TeNoiseKernel*.cpp alone: plain loops over arrays that
-/// the compiler turns into vectors of whatever width the including file is compiled for. Nothing here may
+/// the compiler turns into vectors of whatever width the including file is compiled for. No result may
 /// depend on that width (kLanes, which the including file defines), and no function with external linkage may
 /// be called or instantiated: the linker could then give an AVX body to a program on a processor without AVX.
 namespace {
