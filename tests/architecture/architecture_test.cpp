@@ -257,7 +257,21 @@ bool holdsTests(const fs::path& folder) {
 }
 
 /// Headers that no test names, each with the test that covers them.
-const std::map<std::string, std::string> kCoveredElsewhere = {};
+const std::map<std::string, std::string> kCoveredElsewhere = {
+    {"generators/TeFilter.h", "tests/generators/TeFilterChain_test.cpp"},
+    {"generators/TeSourceChooser.h", "tests/generators/TeRegionChooser_test.cpp"},
+    {"generators/base/TeResult.h", "tests/generators/TeLattice_test.cpp"},
+    {"generators/base/TeText.h", "tests/generators/TeGeneratorRegistry_test.cpp"},
+    {"generators/elevation/TeRasterFile.h", "tests/generators/elevation/TeElevationFile_test.cpp"},
+    {"generators/faults/TeFaultPainter.h", "tests/generators/faults/TeFaultFormation_test.cpp"},
+    {"generators/faults/TeFaultPlane.h", "tests/generators/faults/TeFaultFormation_test.cpp"},
+    {"nodes/TeWorldRect.h", "tests/nodes/TePatchGraphBuilder_test.cpp"},
+    {"nodes/context/TeContextBackend.h", "tests/render/TeContext_test.cpp"},
+    {"nodes/context/TeContextKind.h", "tests/render/TeContext_test.cpp"},
+    {"nodes/context/TeGlTable.h", "tests/render/TeContext_test.cpp"},
+    {"nodes/context/modules/TeSoQtApplication.h", "tests/apps/terraneStaticPictures_test.cpp"},
+    {"patchdb/TeRayHit.h", "tests/patchdb/TePatchDatabase_test.cpp"},
+};
 
 /// A header has a test of its own name; or is used by some test; or is an inner part, which nothing outside
 /// its folder includes, of a component that has tests; or is listed above.
