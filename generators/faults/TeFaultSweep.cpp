@@ -5,6 +5,7 @@
 namespace {
 
 constexpr int kBandSamples = 12288; // their differences stay in a core's cache
+constexpr int kMaxBandRows = 1024;
 
 std::int64_t floorDivide(std::int64_t a, std::int64_t b) { return a / b - (a % b < 0 ? 1 : 0); }
 
@@ -43,7 +44,7 @@ int TeFaultSweep::beginStrip(std::int64_t first, int width) {
   m_firstColumn = first;
   m_width = width;
   m_stride = std::size_t(width) + 2;
-  const int rows = std::max(1, kBandSamples / width);
+  const int rows = std::clamp(kBandSamples / width, 1, kMaxBandRows);
   m_differences.assign(m_stride * std::size_t(rows), 0);
   m_rowDifferences.assign(std::size_t(rows) + 1, 0);
   return rows;
