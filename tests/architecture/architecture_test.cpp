@@ -258,7 +258,7 @@ bool holdsTests(const fs::path& folder) {
 
 /// Headers that no test names, each with the test that covers them.
 const std::map<std::string, std::string> kCoveredElsewhere = {
-    {"generators/TeFilter.h", "tests/generators/TeFilterChain_test.cpp"},
+    {"generators/TeFilter.h", "tests/generators/TeEveryGenerator_test.cpp"},
     {"generators/TeSourceChooser.h", "tests/generators/TeRegionChooser_test.cpp"},
     {"generators/base/TeResult.h", "tests/generators/TeLattice_test.cpp"},
     {"generators/base/TeText.h", "tests/generators/TeGeneratorRegistry_test.cpp"},
