@@ -1,6 +1,7 @@
 #include "generators/elevation/TeElevationFile.h"
 
 #include "generators/TeLattice.h"
+#include "generators/base/TeFloatEnvironment.h"
 #include "generators/base/TeHash.h"
 #include "generators/base/TeLog.h"
 #include "generators/elevation/TeClassicNetCdf.h"
@@ -9,6 +10,7 @@
 #include "generators/elevation/TeRawRasterFile.h"
 
 #include <algorithm>
+#include <cassert>
 #include <cmath>
 #include <vector>
 
@@ -42,6 +44,7 @@ double snapped(double value) {
 
 TeResult<TeElevationFilePtr> TeElevationFile::open(const std::string& path,
                                                    const TeElevationOptions& options) {
+  const TeFloatEnvironment environment; // the frame's bits too
   std::shared_ptr<TeElevationFile> file(new TeElevationFile);
   file->m_path = path;
   if (TeStatus ok = options.check(); !ok)
@@ -239,6 +242,7 @@ TeResult<double> TeElevationFile::nativeSpacing() const {
 }
 
 TeResult<float> TeElevationFile::post(int column, int row) const {
+  assert(column >= 0 && column < columns() && row >= 0 && row < rows());
   const int side = m_tiles->side();
   const TeResult<TeElevationTiles::TilePtr> tile = m_tiles->tile(column / side, row / side);
   if (!tile)

@@ -63,6 +63,7 @@ TeResult<double> teVerticalUnit(const std::string& name) {
                                {"us-ft", 1200.0 / 3937},
                                {"us-feet", 1200.0 / 3937},
                                {"us-foot", 1200.0 / 3937},
+                               {"sft", 1200.0 / 3937},
                                {"ftus", 1200.0 / 3937},
                                {"us survey foot", 1200.0 / 3937},
                                {"us survey feet", 1200.0 / 3937}};

@@ -9,6 +9,7 @@
 #include <gdal_priv.h>
 #include <ogr_srs_api.h>
 
+#include <exception>
 #include <vector>
 
 namespace {
@@ -48,7 +49,12 @@ public:
 
   TeResult<std::unique_ptr<TeRasterFile>> open(const std::string& path, const std::string& driver,
                                                const std::string& variable) const override {
-    return TeGdalRasterFile::open(path, driver, variable);
+    // GDAL's own code may throw on what a hostile file makes it ask for.
+    try {
+      return TeGdalRasterFile::open(path, driver, variable);
+    } catch (const std::exception& e) {
+      return TeError{path + ": GDAL gave up: " + e.what()};
+    }
   }
 
   TeStatus fillVoids(float* heights, int columns, int rows, int distance) const override {

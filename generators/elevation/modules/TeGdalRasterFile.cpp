@@ -6,6 +6,7 @@
 #include <cpl_string.h>
 
 #include <cmath>
+#include <exception>
 
 namespace {
 
@@ -51,6 +52,9 @@ TeGdalRasterFile::open(const std::string& path, const std::string& driver, const
   }
   auto file = std::make_unique<TeGdalRasterFile>();
   file->m_dataset.reset(GDALDataset::Open(name.c_str(), GDAL_OF_RASTER | GDAL_OF_READONLY, drivers));
+  if (!file->m_dataset && driver == "SRTMHGT")
+    return TeError{path + ": no SRTM tile: those are named like N46W122.hgt and have 1201x1201, 1801x3601 or "
+                          "3601x3601 samples of 16 bits"};
   if (!file->m_dataset)
     return TeError{path + ": " + errors.first("GDAL's driver " + driver + " does not recognise it")};
   if (file->m_dataset->GetRasterCount() < 1) {
@@ -135,11 +139,16 @@ void TeGdalRasterFile::describeSystem() {
 
 TeStatus TeGdalRasterFile::read(int band, TeRasterWindow window, double* samples) {
   const TeGdalErrors errors;
-  const CPLErr result = m_dataset->GetRasterBand(band)->RasterIO(
-      GF_Read, window.column, window.row, window.columns, window.rows, samples, window.columns, window.rows,
-      GDT_Float64, 0, 0, nullptr);
-  if (result == CE_None && !errors.failed())
-    return {};
+  std::string reason = "damaged";
+  try {
+    const CPLErr result = m_dataset->GetRasterBand(band)->RasterIO(
+        GF_Read, window.column, window.row, window.columns, window.rows, samples, window.columns, window.rows,
+        GDT_Float64, 0, 0, nullptr);
+    if (result == CE_None && !errors.failed())
+      return {};
+  } catch (const std::exception& e) {
+    reason = e.what();
+  }
   return TeError{"posts from column " + std::to_string(window.column) + ", row " +
-                 std::to_string(window.row) + " cannot be read: " + errors.first("damaged")};
+                 std::to_string(window.row) + " cannot be read: " + errors.first(reason)};
 }

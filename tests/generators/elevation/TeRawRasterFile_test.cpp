@@ -8,7 +8,10 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <cstdio>
+#include <thread>
+#include <vector>
 
 namespace {
 
@@ -74,4 +77,24 @@ TEST(TeRawRasterFile, KeepsAtMost64MegabytesOfPosts) {
   std::printf("144 MB of posts read, at most %zu MB kept\n", most >> 20);
   EXPECT_LE(most, TeElevationTiles::kCacheBytes);
   EXPECT_GT(most, TeElevationTiles::kCacheBytes / 2);
+}
+
+TEST(TeRawRasterFile, ManyThreadsShareOneFile) {
+  const TeTestFolder folder;
+  const std::string path = folder.write("a.raw", teRaw(TeTestRaster::ramp(600, 500), false));
+  const auto file = TeElevationFile::open(path, raw(600, 500));
+  ASSERT_TRUE(file) << file.error().message;
+  std::atomic<int> wrong{0};
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&, t] {
+      for (int i = 0; i < 600 * 500; i += 97) {
+        const int at = (i + t * 75000) % (600 * 500);
+        const TeResult<float> height = (*file)->post(at % 600, at / 600);
+        wrong += !height || *height != float(100 + 10 * (at / 600) + at % 600);
+      }
+    });
+  for (std::thread& thread : threads)
+    thread.join();
+  EXPECT_EQ(wrong, 0);
 }
