@@ -1,7 +1,7 @@
 #pragma once
 
 #include "patchdb/TeFourMapBlend.h"
-#include "patchdb/TePatchMaps.h"
+#include "patchdb/TeNeededMaps.h"
 
 #include <optional>
 

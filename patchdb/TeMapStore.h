@@ -1,17 +1,10 @@
 #pragma once
 
 #include "generators/TeSourceChooser.h"
+#include "patchdb/TeSourceMap.h"
 
 #include <cstddef>
 #include <unordered_map>
-
-/// A finished source map: W×W samples, unweighted.
-struct TeSourceMap {
-  TeMapKey key;
-  TeHeightSourcePtr source; ///< what made it
-  TeHeightMap heights;
-};
-using TeSourceMapPtr = std::shared_ptr<const TeSourceMap>;
 
 /// All source maps, each in memory once: four patches share a map, and it is freed with the last pointer to
 /// it. For each key the store remembers for ever which source its map is made with, so that a map that was

@@ -48,26 +48,14 @@ void addStrips(const TeMeshBlock& block, TePatchMesh& mesh) {
   }
 }
 
-/// Coordinates of meshes are multiples of its inverse, a power of two.
-double coordinateScale(const TeLattice& lattice, int level) {
-  int exponent;
-  std::frexp(lattice.patchSide(), &exponent); // patchSide in [2^(exponent-1), 2^exponent)
-  return std::ldexp(1.0, 24 - exponent - level);
-}
-
 } // namespace
-
-double teMeshCoordinate(const TeLattice& lattice, int level, double position) {
-  const double scale = coordinateScale(lattice, level);
-  return std::nearbyint(position * scale) / scale;
-}
 
 void teBuildMesh(const TeLattice& lattice, const TeMeshBlock& block, TePatchMesh& mesh) {
   if (block.columns < 2 || block.rows < 2)
     return;
   const int level = mesh.key.level;
   const std::int64_t step = std::int64_t(1) << level;
-  const double scale = coordinateScale(lattice, level);
+  const double scale = teMeshScale(lattice, level);
   const auto coordinate = [&](std::int64_t sample) {
     return std::nearbyint(lattice.position(sample) * scale) / scale;
   };

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "patchdb/TePatchMaps.h"
 #include "patchdb/TePatchMesh.h"
+#include "patchdb/TeSourceMap.h"
 
 #include <array>
 #include <memory>

@@ -1,24 +1,17 @@
 #pragma once
 
-#include "generators/TeSourceChooser.h"
 #include "patchdb/TeMapStore.h"
 #include "patchdb/TePatchData.h"
 #include "patchdb/TePatchMesh.h"
 #include "patchdb/TePatchTree.h"
 #include "patchdb/TeSurface.h"
+#include "patchdb/TeWorld.h"
 
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 
 #include <memory>
 #include <optional>
-
-/// What the world is made of.
-struct TeWorld {
-  TeLattice lattice;
-  std::uint64_t seed = 0;
-  std::shared_ptr<const TeSourceChooser> sources;
-};
 
 /// All known terrain: source maps, patches, seams, each in memory once, found through growing quadtrees.
 ///

@@ -41,3 +41,5 @@ struct TePatchMesh {
 /// that are such multiples themselves (1, 30, 0.5 …) are not changed; others move by less than a float's
 /// rounding within the patch.
 double teMeshCoordinate(const TeLattice& lattice, int level, double position);
+/// Coordinates are multiples of the inverse of this power of two.
+double teMeshScale(const TeLattice& lattice, int level);

@@ -1,12 +1,7 @@
 #pragma once
 
-#include "patchdb/TeMapStore.h"
 #include "patchdb/TePatchKey.h"
-
-#include <array>
-
-/// The source maps of a base patch: corner 0 = south-west, 1 = south-east, 2 = north-west, 3 = north-east.
-using TePatchMaps = std::array<TeSourceMapPtr, 4>;
+#include "patchdb/TeSourceMap.h"
 
 /// Key of the source map centred on a corner of the patch.
 inline TeMapKey teMapKey(const TePatchKey& patch, int corner) {

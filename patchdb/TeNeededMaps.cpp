@@ -1,4 +1,4 @@
-#include "patchdb/TePatchMaps.h"
+#include "patchdb/TeNeededMaps.h"
 
 TeNeededMaps::TeNeededMaps(const TePatchKey& patch, const std::array<TeHeightSourcePtr, 4>& sources) {
   for (const TeHeightSourcePtr& source : sources)
