@@ -65,6 +65,8 @@ TeProgress TeHeightJob::fail(TeError error) {
 TeStatus TeHeightSource::accepts(int, int) const { return {}; }
 
 TeResult<TeHeightMap> TeHeightSource::generate(const TeMapRequest& request) const {
+  if (auto possible = TeMapRequest::standalone(request.columns, request.rows, request.spacing, 0); !possible)
+    return TeError{name() + ": " + possible.error().message};
   if (TeStatus ok = accepts(request.columns, request.rows); !ok)
     return ok.error();
   std::unique_ptr<TeHeightJob> job = start(request);

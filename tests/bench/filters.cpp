@@ -2,6 +2,7 @@
 #include "generators/base/TeRandom.h"
 #include "generators/filters/TeBandGrid.h"
 #include "tests/bench/TeBenchmarkReport.h"
+#include "tests/bench/TeSourceBenchmark.h"
 
 namespace {
 
@@ -55,6 +56,7 @@ void filterJob(benchmark::State& state, const char* filter) {
   const TeMapRequest request = TeMapRequest::standalone(side, side, 1, 0).value();
   TeBenchmarkWork work{std::int64_t(side) * side, std::size_t(side) * std::size_t(side) * sizeof(float)};
   teBenchmark(state, work, [&] { benchmark::DoNotOptimize(source->generate(request).value().data()); });
+  state.counters["unit_us"] = teLongestUnit(*source, request);
 }
 
 void bandRows(benchmark::State& state) { bandPair(state, TeBandGrid::Axis::Rows); }
@@ -62,6 +64,8 @@ void bandColumns(benchmark::State& state) { bandPair(state, TeBandGrid::Axis::Co
 void band5(benchmark::State& state) { filterJob(state, "band"); }
 void matrix3(benchmark::State& state) { filterJob(state, "matrix:size=3"); }
 void matrix5(benchmark::State& state) { filterJob(state, "matrix:size=5"); }
+
+void matrix31(benchmark::State& state) { filterJob(state, "matrix:size=31"); }
 
 void copyMap(benchmark::State& state) {
   const TeHeightMap source = randomMap(int(state.range(0)));
@@ -87,5 +91,6 @@ BENCHMARK(plainRows)->Name("filter/plain loop rows up+down")->Arg(65)->Arg(1025)
 BENCHMARK(band5)->Name("filter/job of 5 band passes")->Arg(65)->Arg(1025);
 BENCHMARK(matrix3)->Name("filter/job of matrix 3x3")->Arg(65)->Arg(1025);
 BENCHMARK(matrix5)->Name("filter/job of matrix 5x5")->Arg(65)->Arg(1025);
+BENCHMARK(matrix31)->Name("filter/job of matrix 31x31")->Arg(65);
 BENCHMARK(copyMap)->Name("map/copy")->Arg(65)->Arg(1025);
 BENCHMARK(addMap)->Name("map/add")->Arg(65)->Arg(1025);

@@ -45,12 +45,19 @@ TEST(HardCase, SizesGenerators) {
       }
     // Nothing of this size may be begun, let alone allocated.
     const int most = std::numeric_limits<int>::max();
-    for (const auto& [columns, rows] : {std::pair(-1, 5), std::pair(5, -1), std::pair(most, most),
-                                        std::pair(most, 1), std::pair(1 << 15, 1 << 14)}) {
+    for (const auto& [columns, rows] :
+         {std::pair(0, 0), std::pair(-1, 5), std::pair(5, -1), std::pair(most, most), std::pair(most, 1),
+          std::pair(1 << 15, 1 << 14)}) {
       const auto map = make(*generator, columns, rows);
       ASSERT_FALSE(map.ok()) << chain.name() << " " << columns << "x" << rows;
       EXPECT_TRUE(isOneClearLine(map.error().message)) << map.error().message;
       ++refused;
+      TeMapRequest request;
+      request.columns = columns;
+      request.rows = rows;
+      const auto direct = generator->source()->generate(request);
+      ASSERT_FALSE(direct.ok()) << chain.name() << " " << columns << "x" << rows;
+      EXPECT_TRUE(isOneClearLine(direct.error().message)) << direct.error().message;
     }
     // Long and thin.
     for (const auto& [columns, rows] : {std::pair(10001, 1), std::pair(1, 10001), std::pair(3000, 3)}) {
