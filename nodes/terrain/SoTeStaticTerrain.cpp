@@ -2,6 +2,7 @@
 
 #include "generators/TeGeneratorRegistry.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
+#include "nodes/terrain/TeElevationTerrain.h"
 
 #include <Inventor/SbLine.h>
 #include <Inventor/SoInput.h>
@@ -26,7 +27,8 @@ SO_NODE_SOURCE(SoTeStaticTerrain)
 
 namespace {
 
-constexpr int kMostHits = 1000; ///< along one ray
+constexpr int kMostHits = 1000;    ///< along one ray
+constexpr int kFillDistance = 100; ///< posts
 
 TeResult<std::uint64_t> parseSeed(const SbString& text) {
   std::uint64_t value = 0;
@@ -54,8 +56,12 @@ SoTeStaticTerrain::SoTeStaticTerrain() {
   SO_NODE_ADD_FIELD(seed, ("0"));
   SO_NODE_ADD_FIELD(generator, ("faults"));
   SO_NODE_ADD_EMPTY_MFIELD(filters);
+  SO_NODE_ADD_FIELD(file, (""));
+  SO_NODE_ADD_FIELD(verticalUnit, ("auto"));
+  SO_NODE_ADD_FIELD(fillVoids, (FALSE));
+  SO_NODE_ADD_FIELD(native, (FALSE));
   SO_NODE_ADD_FIELD(samples, (65));
-  SO_NODE_ADD_FIELD(spacing, (1.0));
+  SO_NODE_ADD_FIELD(spacing, (0.0));
   SO_NODE_ADD_FIELD(block, (3));
   SO_NODE_ADD_FIELD(center, (0.0, 0.0));
   SO_NODE_ADD_FIELD(verticalScale, (1.0f));
@@ -104,12 +110,11 @@ void SoTeStaticTerrain::update() {
 }
 
 TeStatus SoTeStaticTerrain::build() {
-  TeResult<TeWorld> world = makeWorld();
+  glm::dvec2 middle(center.getValue()[0], center.getValue()[1]);
+  TeResult<TeWorld> world = makeWorld(middle);
   if (!world)
     return world.error();
-  const SbVec2d middle = center.getValue();
-  TeResult<TeStaticBlock> made =
-      TeStaticBlock::build(std::move(*world), {middle[0], middle[1]}, block.getValue());
+  TeResult<TeStaticBlock> made = TeStaticBlock::build(std::move(*world), middle, block.getValue());
   if (!made)
     return made.error();
   m_block = std::make_unique<TeStaticBlock>(std::move(*made));
@@ -123,25 +128,62 @@ TeStatus SoTeStaticTerrain::build() {
   return {};
 }
 
-TeResult<TeWorld> SoTeStaticTerrain::makeWorld() const {
+TeResult<TeWorld> SoTeStaticTerrain::makeWorld(glm::dvec2& middle) const {
   TeWorld world;
   const TeResult<std::uint64_t> number = parseSeed(seed.getValue());
   if (!number)
     return number.error();
   world.seed = *number;
-  const TeResult<TeLattice> lattice = TeLattice::create(samples.getValue(), spacing.getValue());
+  double metres = spacing.getValue();
+  TeResult<TeHeightSourcePtr> source = makeSource(metres, middle);
+  if (!source)
+    return source.error();
+  const TeResult<TeLattice> lattice = TeLattice::create(samples.getValue(), metres);
   if (!lattice)
     return lattice.error();
   world.lattice = *lattice;
+  world.sources = std::make_shared<TeSingleSource>(std::move(*source));
+  return world;
+}
+
+TeResult<TeHeightSourcePtr> SoTeStaticTerrain::makeSource(double& metres, glm::dvec2& middle) const {
+  const TeGeneratorRegistry& registry = TeGeneratorRegistry::instance();
   std::vector<std::string> specifications;
   for (int i = 0; i < filters.getNum(); i++)
     specifications.push_back(filters[i].getString());
-  const TeResult<TeHeightSourcePtr> source =
-      TeGeneratorRegistry::instance().source(generator.getValue().getString(), specifications);
-  if (!source)
-    return source.error();
-  world.sources = std::make_shared<TeSingleSource>(*source);
-  return world;
+  if (file.getValue().getLength() == 0) {
+    if (metres == 0)
+      metres = 1;
+    return registry.source(generator.getValue().getString(), specifications);
+  }
+
+  TeElevationTerrainOptions options;
+  options.file = fullPath(file.getValue().getString());
+  const TeResult<double> unit = teVerticalUnit(verticalUnit.getValue().getString());
+  if (!unit)
+    return TeError{"verticalUnit: " + unit.error().message};
+  options.reading.verticalUnit = *unit;
+  options.reading.fillDistance = fillVoids.getValue() ? kFillDistance : 0;
+  options.native = native.getValue();
+  options.patches = block.getValue();
+  options.samples = samples.getValue();
+  options.spacing = metres;
+  TeResult<TeElevationTerrain> terrain = TeElevationTerrain::open(options);
+  if (!terrain)
+    return terrain.error();
+  metres = terrain->spacing;
+  middle += terrain->centre;
+  TeHeightSourcePtr source = terrain->source;
+  for (const std::string& specification : specifications) {
+    const TeResult<std::unique_ptr<TeFilter>> filter = registry.filter(specification);
+    if (!filter)
+      return filter.error();
+    TeResult<TeHeightSourcePtr> filtered = (*filter)->apply(source);
+    if (!filtered)
+      return filtered.error();
+    source = std::move(*filtered);
+  }
+  return source;
 }
 
 TeResult<TeBlockStyle> SoTeStaticTerrain::makeStyle(const TeStaticBlock& block) const {

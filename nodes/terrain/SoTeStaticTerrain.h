@@ -29,8 +29,12 @@
 ///       seed           "0"
 ///       generator      "faults"
 ///       filters        []
+///       file           ""
+///       verticalUnit   "auto"
+///       fillVoids      FALSE
+///       native         FALSE
 ///       samples        65
-///       spacing        1
+///       spacing        0
 ///       block          3
 ///       center         0 0
 ///       verticalScale  1
@@ -52,8 +56,12 @@ public:
   SoSFString seed;         ///< of the world: a whole number from 0 to 2^64 - 1
   SoSFString generator;    ///< specification (TeGeneratorRegistry)
   SoMFString filters;      ///< specifications, in order
+  SoSFString file;         ///< elevation data instead of a generator; relative: beside the scene's file
+  SoSFString verticalUnit; ///< of the file: "auto", "m", "0.1", "ft" … (teVerticalUnit)
+  SoSFBool fillVoids;      ///< fills the file's voids from around them; else they are holes
+  SoSFBool native;         ///< samples are the file's posts, the highest one in the world's origin
   SoSFInt32 samples;       ///< a side of a source map, odd
-  SoSFDouble spacing;      ///< metres between samples
+  SoSFDouble spacing;      ///< metres between samples; 0: the block covers the file; 1 without a file
   SoSFInt32 block;         ///< patches a side
   SoSFVec2d center;        ///< point of the world in the middle of the block, metres
   SoSFFloat verticalScale; ///< heights are drawn this many times as high
@@ -61,7 +69,7 @@ public:
   SoSFFloat waterLevel;    ///< metres
   SoMFColor colors;        ///< grass, rock, snow; fewer: Terrane's own for the rest
   SoMFFloat colorHeights;  ///< metres where rock, and where snow begins; empty: from the range of heights
-  SoSFString image;        ///< PNG file to be draped over the block; relative names: beside the scene's file
+  SoSFString image;        ///< PNG file to be draped over the block; relative: beside the scene's file
   SoSFBool parts;          ///< patches, seams and corners in different colours
 
   /// The terrain, built if necessary; NULL if the fields make none. Valid until a field changes.
@@ -92,7 +100,9 @@ protected:
 private:
   void update();
   TeStatus build();
-  TeResult<TeWorld> makeWorld() const;
+  /// Moves `middle` to where a file's centre lies.
+  TeResult<TeWorld> makeWorld(glm::dvec2& middle) const;
+  TeResult<TeHeightSourcePtr> makeSource(double& metres, glm::dvec2& middle) const;
   TeResult<TeBlockStyle> makeStyle(const TeStaticBlock& block) const;
   std::string fullPath(const std::string& file) const;
 

@@ -1,7 +1,7 @@
 #include "nodes/TePatchGraphBuilder.h"
 #include "patchdb/TeSurfaceNormals.h"
 #include "render/TeRenderTest.h"
-#include "render/testWorld.h"
+#include "nodes/testWorld.h"
 #include "render/topView.h"
 
 #include <glm/geometric.hpp>

@@ -2,7 +2,7 @@
 
 #include "nodes/TeSceneFile.h"
 #include "render/TeRenderTest.h"
-#include "render/testWorld.h"
+#include "nodes/testWorld.h"
 #include "render/topView.h"
 
 #include <Inventor/SoDB.h>

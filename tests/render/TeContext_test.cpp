@@ -14,6 +14,8 @@
 #include "nodes/TeNodePtr.h"
 
 #include <cstdio>
+#include <fstream>
+#include <iterator>
 
 namespace {
 
@@ -51,6 +53,18 @@ TEST_F(TeContextTest, TellsWhoDraws) {
               context().version().c_str());
   EXPECT_FALSE(context().renderer().empty());
   EXPECT_FALSE(context().version().empty());
+}
+
+// A context that was not asked for must not be there: its OpenGL would be in the way.
+TEST_F(TeContextTest, OtherContextsAreNotLoaded) {
+  std::ifstream file("/proc/self/maps");
+  const std::string maps((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  ASSERT_FALSE(maps.empty());
+  const auto isLoaded = [&](const char* library) { return maps.find(library) != std::string::npos; };
+  EXPECT_EQ(isLoaded("libOSMesa"), TeRenderTest::s_kind == TeContextKind::OsMesa);
+  EXPECT_EQ(isLoaded("osmesa-shim"), TeRenderTest::s_kind == TeContextKind::OsMesa);
+  EXPECT_EQ(isLoaded("libSoQt"), TeRenderTest::s_kind == TeContextKind::Window);
+  EXPECT_EQ(isLoaded("context-egl"), TeRenderTest::s_kind == TeContextKind::Egl);
 }
 
 TEST_F(TeContextTest, DrawsWhatTheSceneSays) {

@@ -1,7 +1,7 @@
 #include "nodes/context/TeViewer.h"
 
 #include "render/TeRenderTest.h"
-#include "render/testWorld.h"
+#include "nodes/testWorld.h"
 #include "render/topView.h"
 
 #include <algorithm>

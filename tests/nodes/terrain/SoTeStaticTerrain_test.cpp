@@ -189,7 +189,6 @@ TEST(SoTeStaticTerrain, BadFieldsGiveOneWarningAndNothing) {
                              "samples -1",
                              "samples 64",
                              "samples 2147483647",
-                             "spacing 0",
                              "spacing -1",
 
                              "spacing 1e300",
@@ -201,7 +200,10 @@ TEST(SoTeStaticTerrain, BadFieldsGiveOneWarningAndNothing) {
                              "colors [ 0 0 0, 0 0 0, 0 0 0, 0 0 0 ]",
                              "colors [ 2 0 0 ]",
                              "colorHeights [ 1 ]",
-                             "image \"/nonexistent.png\""}) {
+                             "image \"/nonexistent.png\"",
+                             "file \"/nonexistent.tif\"",
+                             "file \"/dev/null\"",
+                             "file \"/dev/null\" verticalUnit \"furlongs\""}) {
     const Warnings warnings;
     auto root = readScene(std::string("TeStaticTerrain { ") + fields + " }");
     ASSERT_TRUE(root) << fields;
@@ -370,5 +372,47 @@ TEST(SoTeStaticTerrain, ImageIsDrapedFromBesideTheFile) {
   EXPECT_GT(countNodes<SoTexture2>(root.get()), 0);
   TeNodePtr<SoNode> copy(root->copy());
   EXPECT_GT(countNodes<SoTexture2>(copy.get()), 0);
+  std::filesystem::remove_all(folder);
+}
+
+TEST(SoTeStaticTerrain, ElevationDataCoversTheBlock) {
+#ifndef TERRANE_TEST_WITH_GDAL
+  GTEST_SKIP() << "built without GDAL";
+#endif
+  const std::filesystem::path folder = std::filesystem::path(testing::TempDir()) / "elevation";
+  std::filesystem::create_directories(folder);
+  // 12 × 10 posts every 20 m; a peak of 90 m, and a void.
+  std::ofstream grid(folder / "grid.asc");
+  grid << "ncols 12\nnrows 10\nxllcorner 0\nyllcorner 0\ncellsize 20\nNODATA_value -9999\n";
+  for (int row = 0; row < 10; row++) {
+    for (int column = 0; column < 12; column++)
+      grid << (row == 4 && column == 7 ? 90 : row == 8 && column == 2 ? -9999 : 10) << " ";
+    grid << "\n";
+  }
+  grid.close();
+  for (const char* fields :
+       {"", "block 2", "native TRUE samples 9", "fillVoids TRUE", "verticalUnit \"dm\""}) {
+    std::ofstream(folder / "scene.iv")
+        << "#Inventor V2.1 ascii\nTeStaticTerrain { file \"grid.asc\" " << fields << " }\n";
+    SoInput input;
+    ASSERT_TRUE(input.openFile((folder / "scene.iv").c_str()));
+    const TeNodePtr<SoSeparator> root(SoDB::readAll(&input));
+    ASSERT_TRUE(root);
+    SoTeStaticTerrain* terrain = terrainOf(root.get());
+    const TeStaticBlock* block = terrain->getBlock();
+    ASSERT_TRUE(block) << fields << ": " << terrain->getError();
+    const bool native = std::string(fields).find("native") == 0;
+    if (native) {
+      EXPECT_EQ(block->lattice().spacing(), 20);
+      EXPECT_EQ(block->database().heightAt({0, 0}), 90.0);
+    } else {
+      EXPECT_GE(block->lattice().spacing() * 32 * block->patches(), 219.9) << fields; // 12 posts wide
+    }
+    EXPECT_EQ(block->minimum(), std::string(fields).find("dm") != std::string::npos ? 1 : 10) << fields;
+    EXPECT_GT(triangles(root.get()), 100) << fields;
+    SoGetBoundingBoxAction bounds(kViewport);
+    bounds.apply(root.get());
+    EXPECT_GE(bounds.getBoundingBox().getMin()[2], 0) << fields; // voids are never drawn
+  }
   std::filesystem::remove_all(folder);
 }
