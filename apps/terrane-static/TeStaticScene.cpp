@@ -1,12 +1,17 @@
 #include "apps/terrane-static/TeStaticScene.h"
 
+#include "nodes/context/TeViewer.h"
 #include "nodes/terrain/TeBlockGraph.h"
 
 #include <Inventor/SbBox3f.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
+#include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoDirectionalLight.h>
 #include <Inventor/nodes/SoDrawStyle.h>
+#include <Inventor/nodes/SoLightModel.h>
+#include <Inventor/nodes/SoMaterialBinding.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoPolygonOffset.h>
 
 #include <algorithm>
 #include <cmath>
@@ -89,6 +94,36 @@ void addLight(SoSeparator& scene, const SbVec3f& direction, const SbColor& colou
   scene.addChild(light);
 }
 
+/// The lines of the triangles in their colours. What lies behind the surface is hidden by the surface itself
+/// in the colour of the sky.
+SoSeparator* wireframeOf(SoSeparator* graph) {
+  SoSeparator* both = new SoSeparator;
+  SoLightModel* unlit = new SoLightModel;
+  unlit->model = SoLightModel::BASE_COLOR;
+  both->addChild(unlit);
+
+  SoSeparator* surface = new SoSeparator;
+  surface->addChild(new SoPolygonOffset);
+  SoBaseColor* sky = new SoBaseColor;
+  sky->rgb = TeViewerOptions().background;
+  sky->setOverride(TRUE);
+  surface->addChild(sky);
+  SoMaterialBinding* binding = new SoMaterialBinding;
+  binding->value = SoMaterialBinding::OVERALL;
+  binding->setOverride(TRUE);
+  surface->addChild(binding);
+  surface->addChild(graph);
+  both->addChild(surface);
+
+  SoSeparator* lines = new SoSeparator;
+  SoDrawStyle* style = new SoDrawStyle;
+  style->style = SoDrawStyle::LINES;
+  lines->addChild(style);
+  lines->addChild(graph);
+  both->addChild(lines);
+  return both;
+}
+
 } // namespace
 
 TeResult<TeNodePtr<SoSeparator>> teStaticScene(const TeStaticBlock& block, const TeStaticOptions& options,
@@ -115,11 +150,6 @@ TeResult<TeNodePtr<SoSeparator>> teStaticScene(const TeStaticBlock& block, const
   // The sun low in the west, and the sky.
   addLight(*scene, SbVec3f(0.8f, -0.3f, -0.5f), SbColor(1.0f, 0.96f, 0.88f), 1.0f);
   addLight(*scene, SbVec3f(0, 0, -1), SbColor(0.8f, 0.9f, 1.0f), 0.4f);
-  if (options.wireframe) {
-    SoDrawStyle* lines = new SoDrawStyle;
-    lines->style = SoDrawStyle::LINES;
-    scene->addChild(lines);
-  }
-  scene->addChild(graph->get());
+  scene->addChild(options.wireframe ? wireframeOf(graph->get()) : graph->get());
   return scene;
 }

@@ -78,7 +78,8 @@ int run(const TeCommandLine& commandLine, const TeStaticOptions& options) {
   if (!scene)
     return teExitWith(TeExitUsage, kName, scene.error().message);
   report.addTime("model", modelling.seconds());
-  const int triangles = trianglesOf(scene->get());
+  // A wireframe draws the terrain twice.
+  const int triangles = trianglesOf(scene->get()) / (options.wireframe ? 2 : 1);
   describe(*block, *made, triangles, report);
   if (!common.quiet)
     std::printf("%d patches, %d triangles, heights %.1f to %.1f m\n", block->patches() * block->patches(),

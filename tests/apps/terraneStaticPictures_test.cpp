@@ -72,11 +72,13 @@ TEST_F(TerraneStaticPictures, FarAwayLooksNoWorse) {
 
 TEST_F(TerraneStaticPictures, ViewOptionsChangeThePicture) {
   const TePicture plain = draw({"--seed", "3"});
+  const int triangles = report()["triangles"];
   for (const Arguments& option : std::vector<Arguments>{
            {"--wireframe"}, {"--parts"}, {"--top"}, {"--water", "0"}, {"--vertical-scale", "2"}}) {
     Arguments arguments = {"--seed", "3"};
     arguments.insert(arguments.end(), option.begin(), option.end());
     EXPECT_GT(teDifferingShare(draw(arguments), plain), 0.05) << option[0];
+    EXPECT_EQ(report()["triangles"], triangles + (option[0] == "--water" ? 2 : 0)) << option[0];
   }
 }
 
