@@ -4,6 +4,7 @@
 set -euo pipefail
 source_dir=$1 work_dir=$2 compiler=$3
 shift 3
+rm -rf "$work_dir"
 mkdir -p "$work_dir"
 cd "$source_dir"
 launcher=$(command -v ccache || true)
