@@ -4,10 +4,9 @@
 #include "generators/base/TeFloatEnvironment.h"
 #include "generators/base/TeHash.h"
 #include "generators/base/TeLog.h"
-#include "generators/elevation/TeClassicNetCdf.h"
 #include "generators/elevation/TeGdal.h"
 #include "generators/elevation/TePlainFile.h"
-#include "generators/elevation/TeRawRasterFile.h"
+#include "generators/elevation/TeRasterOpen.h"
 
 #include <algorithm>
 #include <cassert>
@@ -56,60 +55,19 @@ TeResult<TeElevationFilePtr> TeElevationFile::open(const std::string& path,
 }
 
 TeStatus TeElevationFile::openRaster(const TeElevationOptions& options) {
-  std::unique_ptr<TeRasterFile> raster;
-  if (options.encoding == TeElevationEncoding::Raw) {
-    TeResult<std::unique_ptr<TeRasterFile>> opened = TeRawRasterFile::open(m_path, options);
-    if (!opened)
-      return opened.error();
-    raster = std::move(*opened);
-  } else {
-    const TeResult<std::string> format = teRasterFormat(m_path);
-    if (!format)
-      return format.error();
-    if (*format == "netCDF")
-      if (TeStatus ok = teCheckClassicNetCdf(m_path); !ok)
-        return ok;
-    const TeResult<const TeGdal*> gdal = TeGdal::module();
-    if (!gdal)
-      return TeError{m_path + ": " + gdal.error().message};
-    TeResult<std::unique_ptr<TeRasterFile>> opened = (*gdal)->open(m_path, *format, options.variable);
-    if (!opened)
-      return opened.error();
-    raster = std::move(*opened);
-  }
-  const TeRasterInfo info = raster->info();
-  if (TeStatus ok = checkTextSize(info); !ok)
-    return ok;
-  const int bandsNeeded = options.band + (options.encoding == TeElevationEncoding::Terrarium ? 2 : 0);
-  if (info.bands < bandsNeeded)
-    return TeError{m_path + ": has " + std::to_string(info.bands) + " bands, but band " +
-                   std::to_string(bandsNeeded) + " is needed"};
-  m_projection = raster->projection();
-  if (TeStatus ok = chooseUnits(options, info); !ok)
-    return ok;
-  m_tiles = std::make_unique<TeElevationTiles>(std::move(raster), options, m_verticalUnit);
+  TeResult<std::unique_ptr<TeRasterFile>> raster = teOpenRaster(m_path, options);
+  if (!raster)
+    return raster.error();
+  const TeRasterInfo info = (*raster)->info();
+  m_projection = (*raster)->projection();
+  chooseVerticalUnit(options, info);
+  m_tiles = std::make_unique<TeElevationTiles>(std::move(*raster), options, m_verticalUnit);
   if (TeStatus ok = chooseFrame(options, info); !ok)
     return ok;
   return measure();
 }
 
-// A post in a text grid takes a digit and a separator at least; GDAL would look for them all over again for
-// every row that is not there.
-TeStatus TeElevationFile::checkTextSize(const TeRasterInfo& info) const {
-  if (info.format != "AAIGrid")
-    return {};
-  const TeResult<TeFileStamp> stamp = teFileStamp(m_path);
-  if (!stamp)
-    return stamp.error();
-  const std::uint64_t needed = 2 * std::uint64_t(info.columns) * std::uint64_t(info.rows) - 1;
-  if (stamp->bytes >= needed)
-    return {};
-  return TeError{m_path + ": " + std::to_string(stamp->bytes) + " bytes, but " +
-                 std::to_string(info.columns) + "x" + std::to_string(info.rows) + " posts take at least " +
-                 std::to_string(needed)};
-}
-
-TeStatus TeElevationFile::chooseUnits(const TeElevationOptions& options, const TeRasterInfo& info) {
+void TeElevationFile::chooseVerticalUnit(const TeElevationOptions& options, const TeRasterInfo& info) {
   m_verticalUnit = options.verticalUnit;
   if (m_verticalUnit == 0 && !info.verticalUnit.empty()) {
     const TeResult<double> unit = teVerticalUnit(info.verticalUnit);
@@ -120,7 +78,6 @@ TeStatus TeElevationFile::chooseUnits(const TeElevationOptions& options, const T
   }
   if (m_verticalUnit == 0)
     m_verticalUnit = 1;
-  return {};
 }
 
 TeStatus TeElevationFile::chooseFrame(const TeElevationOptions& options, TeRasterInfo info) {

@@ -77,8 +77,7 @@ public:
 private:
   TeElevationFile() = default;
   TeStatus openRaster(const TeElevationOptions& options);
-  TeStatus checkTextSize(const TeRasterInfo& info) const;
-  TeStatus chooseUnits(const TeElevationOptions& options, const TeRasterInfo& info);
+  void chooseVerticalUnit(const TeElevationOptions& options, const TeRasterInfo& info);
   TeStatus chooseFrame(const TeElevationOptions& options, TeRasterInfo info);
   TeStatus measure();
   TeStatus computeFingerprint(const TeElevationOptions& options);
