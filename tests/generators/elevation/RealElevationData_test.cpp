@@ -225,6 +225,10 @@ TEST_F(RealElevationData, NetCdfOfTheWholeEarth) {
   EXPECT_STREQ((*file)->frame().name(), "plate");
   expectPosts(**file, {{901, 644, 7833}, {0, 1080, -4876}, {2000, 1000, -4669}});
   EXPECT_NEAR((*file)->extent().width(), 40075386.9, 1);
+  const auto summary = TeElevationScan::summarise(*file);
+  ASSERT_TRUE(summary) << summary.error().message;
+  EXPECT_EQ(summary->minimum, -10376);
+  EXPECT_EQ(summary->maximum, 7833);
 }
 
 TEST_F(RealElevationData, NetCdfInFeetWithoutATag) {
