@@ -42,7 +42,7 @@ void TePatchGraphBuilder::setWorldOrigin(glm::dvec3 origin) {
 
 TeStatus TePatchGraphBuilder::setImage(const TePicture& image, const TeWorldRect& rect) {
   if (image.width < 1 || image.height < 1 || image.width > TePicture::kMaxSide ||
-      image.height > TePicture::kMaxSide)
+      image.height > TePicture::kMaxSide || image.rgba.size() != std::size_t(4) * image.width * image.height)
     return TeError{"image of " + std::to_string(image.width) + "x" + std::to_string(image.height) +
                    " cannot be draped"};
   if (!(rect.northEast.x > rect.southWest.x && rect.northEast.y > rect.southWest.y))

@@ -18,9 +18,11 @@
 #include <Inventor/errors/SoDebugError.h>
 #include <Inventor/misc/SoState.h>
 
+#include <glm/geometric.hpp>
+
+#include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstring>
 #include <filesystem>
 
 SO_NODE_SOURCE(SoTeStaticTerrain)
@@ -320,6 +322,9 @@ void SoTeStaticTerrain::rayPick(SoRayPickAction* action) {
       if (!action->isPickAll())
         return;
     }
-    origin += direction * (hit->distance + 1e-6 * m_block->lattice().spacing());
+    // On to just behind the surface: a millionth of a cell, but no less than coordinates can tell apart.
+    const double reach = std::max({std::abs(origin.x), std::abs(origin.y), std::abs(origin.z)});
+    const double step = std::max(1e-6 * m_block->lattice().spacing(), 1e-15 * reach);
+    origin += direction * (hit->distance + step / glm::length(direction));
   }
 }

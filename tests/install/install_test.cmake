@@ -54,3 +54,9 @@ foreach(written picture.png scene.iv)
     message(FATAL_ERROR "the installed terrane-static wrote no ${written}")
   endif()
 endforeach()
+
+# A program that is linked with Coin only finds the installed node by its name in a file.
+file(WRITE ${SCRATCH}/terrain.iv "#Inventor V2.1 ascii\nTeStaticTerrain { seed 7 }\n")
+set(ENV{LD_LIBRARY_PATH} ${SCRATCH}/prefix/${LIBDIR})
+run(${BUILD}/bin/readByName ${SCRATCH}/terrain.iv TeStaticTerrain ${SCRATCH}/terrain-again.iv)
+expect_same("TeStaticTerrain: 17672 triangles\n")

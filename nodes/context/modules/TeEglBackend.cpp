@@ -3,8 +3,8 @@
 #include <EGL/egl.h>
 #include <EGL/eglext.h>
 
-#include <cstring>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 namespace {

@@ -3,8 +3,7 @@
 #include <GL/osmesa.h>
 #include <dlfcn.h>
 
-#include <cstring>
-#include <string>
+#include <memory>
 #include <vector>
 
 namespace {
