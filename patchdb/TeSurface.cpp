@@ -46,7 +46,7 @@ std::optional<TeRayHit> TeSurface::intersect(glm::dvec3 origin, glm::dvec3 direc
 }
 
 bool TeSurface::locate(glm::dvec2 point, Place& place) const {
-  const double limit = m_lattice->patchSide() * double(TeLattice::kMaxKey);
+  const double limit = 2 * m_halfCell * double(m_cells) * double(TeLattice::kMaxKey);
   // Written so that a NaN fails.
   if (!(std::fabs(point.x) < limit && std::fabs(point.y) < limit))
     return false;
@@ -70,18 +70,18 @@ bool TeSurface::locate(glm::dvec2 point, Place& place) const {
 
 /// TeLattice::sampleBelow() without its divisions. The sample is the same, since it is settled by the
 /// positions that samples have; the fraction may differ by its last bit, and is 0 for the same points.
-std::int64_t TeSurface::sampleBelow(double position, double& fraction) const {
-  const double cell = position * m_perMetre + 0.5 * m_lattice->cells();
+std::int64_t TeSurface::sampleBelow(double coordinate, double& fraction) const {
+  const double cell = coordinate * m_perMetre + 0.5 * double(m_cells);
   std::int64_t below = std::int64_t(cell);
   below -= double(below) > cell ? 1 : 0;
-  double west = m_lattice->position(below);
-  if (west > position) {
-    west = m_lattice->position(--below);
-  } else if (const double east = m_lattice->position(below + 1); east <= position) {
+  double west = position(below);
+  if (west > coordinate) {
+    west = position(--below);
+  } else if (const double east = position(below + 1); east <= coordinate) {
     west = east;
     ++below;
   }
-  fraction = std::min((position - west) * m_perMetre, 1 - 0x1p-53);
+  fraction = std::min((coordinate - west) * m_perMetre, 1 - 0x1p-53);
   return below;
 }
 
@@ -91,9 +91,9 @@ bool TeSurface::locateInCell(std::int64_t sampleX, std::int64_t sampleY, Place& 
   if (!patch)
     return false;
   const int level = patch->key().level;
-  const glm::vec<2, std::int64_t> first = tePatchFirstSample(*m_lattice, patch->key());
-  const std::int64_t x = sampleX - first.x;
-  const std::int64_t y = sampleY - first.y;
+  const std::int64_t side = m_cells << level;
+  const std::int64_t x = sampleX - patch->key().x * side;
+  const std::int64_t y = sampleY - patch->key().y * side;
   const TeHeightMap& heights = patch->heights();
   place.cell = TeSurfaceCell::of(heights.row(int(y >> level)) + (x >> level), heights.width());
   if (!place.cell.complete())
@@ -108,7 +108,7 @@ bool TeSurface::locateInCell(std::int64_t sampleX, std::int64_t sampleY, Place& 
 }
 
 const TePatchData* TeSurface::patchOf(std::int64_t sampleX, std::int64_t sampleY) const {
-  const std::int64_t cells = m_lattice->cells();
+  const std::int64_t cells = m_cells;
   const TePatchData* last = m_last.load(std::memory_order_acquire);
   if (last && last->hasHeights()) {
     const std::int64_t x = sampleX - last->key().x * cells;

@@ -13,7 +13,8 @@
 class TeSurface {
 public:
   TeSurface(const TeLattice& lattice, const TePatchTree& tree)
-      : m_lattice(&lattice), m_tree(&tree), m_perMetre(1 / lattice.spacing()) {}
+      : m_lattice(&lattice), m_tree(&tree), m_perMetre(1 / lattice.spacing()),
+        m_halfCell(0.5 * lattice.spacing()), m_cells(lattice.cells()) {}
 
   std::optional<double> heightAt(glm::dvec2 point) const;
   std::optional<glm::dvec3> normalAt(glm::dvec2 point) const;
@@ -32,6 +33,8 @@ private:
     double v = 0;
   };
   bool locate(glm::dvec2 point, Place& place) const;
+  /// The bits of TeLattice::position(), within reach of the optimiser.
+  double position(std::int64_t sample) const { return double(2 * sample - m_cells) * m_halfCell; }
   std::int64_t sampleBelow(double position, double& fraction) const;
   bool locateInCell(std::int64_t sampleX, std::int64_t sampleY, Place& place) const;
   const TePatchData* patchOf(std::int64_t sampleX, std::int64_t sampleY) const;
@@ -39,5 +42,7 @@ private:
   const TeLattice* m_lattice;
   const TePatchTree* m_tree;
   double m_perMetre;
+  double m_halfCell;
+  std::int64_t m_cells;
   mutable std::atomic<const TePatchData*> m_last{nullptr}; ///< answered last; the next query is often near
 };

@@ -8,12 +8,16 @@
 
 namespace {
 
+/// 1 / direction, whose largest component is 1; 0 where the ray does not move, or so little that it comes
+/// nowhere.
+double inverseOf(double direction) { return std::fabs(direction) < 1e-200 ? 0 : 1 / direction; }
+
 /// The part of a ray that lies between two values of a coordinate; false if there is none.
-bool clip(double origin, double direction, double low, double high, double& begin, double& end) {
-  if (direction == 0)
+bool clip(double origin, double inverse, double low, double high, double& begin, double& end) {
+  if (inverse == 0)
     return origin >= low && origin <= high;
-  const double a = (low - origin) / direction;
-  const double b = (high - origin) / direction;
+  const double a = (low - origin) * inverse;
+  const double b = (high - origin) * inverse;
   begin = std::max(begin, std::min(a, b));
   end = std::min(end, std::max(a, b));
   return begin <= end;
@@ -22,7 +26,8 @@ bool clip(double origin, double direction, double low, double high, double& begi
 class Marcher {
 public:
   Marcher(const TeLattice& lattice, glm::dvec3 origin, glm::dvec3 direction, double range)
-      : m_lattice(lattice), m_origin(origin), m_direction(direction), m_range(range) {}
+      : m_cells(lattice.cells()), m_spacing(lattice.spacing()), m_origin(origin), m_direction(direction),
+        m_inverse(inverseOf(direction.x), inverseOf(direction.y), inverseOf(direction.z)), m_range(range) {}
 
   /// Where the ray enters a square of base patches; negative if it does not before its first hit.
   double enter(const TeGrowingTree::Bounds& bounds) const {
@@ -46,9 +51,14 @@ private:
   double v(double at, int y) const { return std::clamp(m_startV + at * m_stepV - y, 0.0, 1.0); }
   double z(double at) const { return m_origin.z + at * m_direction.z; }
 
-  const TeLattice& m_lattice;
+  /// World coordinate of a patch's west or south border; the bits of TeLattice::position().
+  double border(std::int64_t key) const { return double(2 * key * m_cells - m_cells) * (0.5 * m_spacing); }
+
+  std::int64_t m_cells;
+  double m_spacing;
   glm::dvec3 m_origin;
   glm::dvec3 m_direction;
+  glm::dvec3 m_inverse;
   double m_range;
   // The ray in cells of the patch at hand.
   double m_startU = 0, m_startV = 0, m_stepU = 0, m_stepV = 0;
@@ -58,11 +68,13 @@ private:
 };
 
 bool Marcher::clipToPatches(const TeGrowingTree::Bounds& bounds, double& begin, double& end) const {
-  const auto border = [&](std::int64_t key) {
-    return m_lattice.position(std::clamp(key, -TeLattice::kMaxKey, TeLattice::kMaxKey) * m_lattice.cells());
+  const auto inWorld = [](std::int64_t key) {
+    return std::clamp(key, -TeLattice::kMaxKey, TeLattice::kMaxKey);
   };
-  return clip(m_origin.x, m_direction.x, border(bounds.x), border(bounds.x + bounds.span), begin, end) &&
-         clip(m_origin.y, m_direction.y, border(bounds.y), border(bounds.y + bounds.span), begin, end);
+  return clip(m_origin.x, m_inverse.x, border(inWorld(bounds.x)), border(inWorld(bounds.x + bounds.span)),
+              begin, end) &&
+         clip(m_origin.y, m_inverse.y, border(inWorld(bounds.y)), border(inWorld(bounds.y + bounds.span)),
+              begin, end);
 }
 
 bool Marcher::visit(const TePatchData& patch) {
@@ -72,14 +84,12 @@ bool Marcher::visit(const TePatchData& patch) {
     return true;
   // The margin keeps the sign certain wherever the ray is cut off.
   const double margin = 1 + 1e-9 * std::max(std::fabs(patch.minimum()), std::fabs(patch.maximum()));
-  if (!clip(m_origin.z, m_direction.z, patch.minimum() - margin, patch.maximum() + margin, begin, end))
+  if (!clip(m_origin.z, m_inverse.z, patch.minimum() - margin, patch.maximum() + margin, begin, end))
     return true;
-  const glm::dvec2 corner = tePatchOrigin(m_lattice, patch.key());
-  const double spacing = m_lattice.spacing();
-  m_startU = (m_origin.x - corner.x) / spacing;
-  m_startV = (m_origin.y - corner.y) / spacing;
-  m_stepU = m_direction.x / spacing;
-  m_stepV = m_direction.y / spacing;
+  m_startU = (m_origin.x - border(patch.key().x)) / m_spacing;
+  m_startV = (m_origin.y - border(patch.key().y)) / m_spacing;
+  m_stepU = m_direction.x / m_spacing;
+  m_stepV = m_direction.y / m_spacing;
   if (!(std::fabs(begin - m_aboveAt) <= 1e-12 * std::fabs(begin)))
     m_above = NAN;
   if (march(patch, begin, end))
@@ -88,7 +98,7 @@ bool Marcher::visit(const TePatchData& patch) {
 }
 
 bool Marcher::march(const TePatchData& patch, double begin, double end) {
-  const int cells = m_lattice.cells();
+  const int cells = int(m_cells);
   const auto cellOf = [cells](double position) {
     return int(std::clamp(std::floor(position), 0.0, double(cells - 1)));
   };
@@ -96,15 +106,12 @@ bool Marcher::march(const TePatchData& patch, double begin, double end) {
   int y = cellOf(m_startV + begin * m_stepV);
   const int eastward = m_stepU > 0 ? 1 : 0;
   const int northward = m_stepV > 0 ? 1 : 0;
-  const double perU = 1 / m_stepU;
-  const double perV = 1 / m_stepV;
-  // Steps so small that their inverse is no number lead to no other cell within a patch.
-  const bool acrossU = std::isfinite(perU);
-  const bool acrossV = std::isfinite(perV);
+  const double perU = m_inverse.x * m_spacing;
+  const double perV = m_inverse.y * m_spacing;
   double at = begin;
   for (;;) {
-    const double nextX = acrossU ? (x + eastward - m_startU) * perU : INFINITY;
-    const double nextY = acrossV ? (y + northward - m_startV) * perV : INFINITY;
+    const double nextX = perU != 0 ? (x + eastward - m_startU) * perU : INFINITY;
+    const double nextY = perV != 0 ? (y + northward - m_startV) * perV : INFINITY;
     const double next = std::max(at, std::min({nextX, nextY, end}));
     if (crossCell(patch, x, y, at, next))
       return true;
@@ -187,7 +194,7 @@ void Marcher::hit(const TePatchData& patch, const TeSurfaceCell& cell, int x, in
   found.distance = at;
   found.position = {m_origin.x + at * m_direction.x, m_origin.y + at * m_direction.y,
                     cell.height(u(at, x), v(at, y))};
-  found.normal = cell.normal(u(at, x), v(at, y), m_lattice.spacing());
+  found.normal = cell.normal(u(at, x), v(at, y), m_spacing);
   found.key = patch.key();
   m_hit = found;
 }
