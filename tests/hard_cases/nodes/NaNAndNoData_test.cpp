@@ -2,7 +2,6 @@
 #include "nodes/testWorld.h"
 
 #include <Inventor/SbViewportRegion.h>
-#include <Inventor/SoFullPath.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/nodes/SoCoordinate3.h>
@@ -25,7 +24,7 @@ template <class Node> std::vector<Node*> all(SoNode* root) {
   search.apply(root);
   std::vector<Node*> nodes;
   for (int i = 0; i < search.getPaths().getLength(); i++)
-    nodes.push_back(static_cast<Node*>(static_cast<SoFullPath*>(search.getPaths()[i])->getTail()));
+    nodes.push_back(static_cast<Node*>(search.getPaths()[i]->getTail()));
   return nodes;
 }
 
