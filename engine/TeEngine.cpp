@@ -32,7 +32,7 @@ TeEngine::TeEngine(const SbVec2s& samples, const SbVec2f& area) {
   }
   m_lattice = *lattice;
   m_usable = true;
-  setGenerator("faults");
+  setGenerator(TeGeneratorRegistry::kDefaultGenerator);
 }
 
 TeEngine::~TeEngine() = default;

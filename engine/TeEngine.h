@@ -41,7 +41,8 @@ public:
 
   /// The world's seed, 0 by default. FALSE once a patch exists.
   SbBool setSeed(std::uint64_t seed);
-  /// The generator by specification (TeGeneratorRegistry), with filters over it; "faults" alone by default.
+  /// The generator by specification (TeGeneratorRegistry), with filters over it; its
+  /// kDefaultGenerator alone by default.
   /// Maps made before keep theirs, and blending joins the two. FALSE, and the generator as before: unknown
   /// names or unusable parameters.
   SbBool setGenerator(const std::string& specification, const std::vector<std::string>& filters = {});

@@ -20,6 +20,10 @@
 /// is possible.
 class TeGeneratorRegistry {
 public:
+  /// What makes a world where nobody chose: fault formation that needs no filter, so that it can be evaluated
+  /// at scattered points.
+  static constexpr const char* kDefaultGenerator = "faults:profile=smooth";
+
   using GeneratorFactory = std::function<std::unique_ptr<TeGenerator>()>;
   using FilterFactory = std::function<std::unique_ptr<TeFilter>()>;
 

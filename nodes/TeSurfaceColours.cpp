@@ -15,12 +15,12 @@ glm::vec3 mix(const glm::vec3& a, const glm::vec3& b, float t) { return a * (1 -
 
 } // namespace
 
-TeSurfaceColours TeSurfaceColours::forHeights(float lowest, float highest) {
+TeSurfaceColours TeSurfaceColours::forHeights(float mean, float highest) {
   TeSurfaceColours colours;
-  const float range = std::max(highest - lowest, 1.0f);
-  colours.rockLine = lowest + 0.55f * range;
-  colours.snowLine = lowest + 0.80f * range;
-  colours.blend = 0.15f * range;
+  const float range = std::max(highest - mean, 1.0f);
+  colours.rockLine = mean + 0.15f * range;
+  colours.snowLine = mean + 0.60f * range;
+  colours.blend = 0.30f * range;
   return colours;
 }
 

@@ -8,14 +8,15 @@ struct TeSurfaceColours {
   glm::vec3 grass{0.29f, 0.45f, 0.17f}; ///< red, green, blue, each 0 .. 1
   glm::vec3 rock{0.46f, 0.41f, 0.36f};
   glm::vec3 snow{0.94f, 0.95f, 0.98f};
-  float rockLine = 40; ///< metres: half grass, half rock
-  float snowLine = 70; ///< metres: half rock, half snow
-  float blend = 10;    ///< metres over which one goes over into the other; more than 0
+  float rockLine = 2; ///< metres: half grass, half rock; the lines suit the default generator
+  float snowLine = 8; ///< metres: half rock, half snow
+  float blend = 4;    ///< metres over which one goes over into the other; more than 0
   float rockSlope = 1; ///< metres a metre: half of level ground's colour, half rock
   float slopeBlend = 0.6f;
 
-  /// Lines at 55 and 80 % of a range of heights; any finite range, also an empty one.
-  static TeSurfaceColours forHeights(float lowest, float highest);
+  /// Lines 15 and 60 % of the way from the mean height to the highest, so that a few peaks above a plain
+  /// have their rock and snow too. Any finite heights, also mean = highest.
+  static TeSurfaceColours forHeights(float mean, float highest);
 
   /// Red, green, blue of a point; continuous. A pure function of height and unit normal, so that pieces that
   /// share a vertex give it the same colour.

@@ -12,8 +12,6 @@ namespace {
 constexpr int kGeneratedSamples = 65;
 constexpr int kElevationSamples = 513; ///< at most, by default
 
-const char* kDefaultGenerator = "faults";
-
 /// The samples at which a block over the whole file has about the file's own posts.
 int suitingSamples(const TeElevationFile& file, int patches) {
   const double step = std::min(file.postSpacing().x, file.postSpacing().y);
@@ -99,7 +97,8 @@ TeResult<Terrain> elevationTerrain(const TeStaticOptions& options, glm::dvec2& c
 }
 
 TeResult<Terrain> generatedTerrain(const TeStaticOptions& options) {
-  const std::string& specification = options.generator.empty() ? kDefaultGenerator : options.generator;
+  const std::string& specification =
+      options.generator.empty() ? TeGeneratorRegistry::kDefaultGenerator : options.generator;
   const TeResult<TeHeightSourcePtr> source = TeGeneratorRegistry::instance().source(specification);
   if (!source)
     return source.error();
@@ -117,7 +116,7 @@ TeResult<TeStaticWorld> TeStaticWorld::create(const TeStaticOptions& options, st
   if (!terrain)
     return terrain.error();
   made.description = !options.dem.empty()        ? options.dem
-                     : options.generator.empty() ? kDefaultGenerator
+                     : options.generator.empty() ? TeGeneratorRegistry::kDefaultGenerator
                                                  : options.generator;
   for (const std::string& specification : options.filters) {
     const TeResult<std::unique_ptr<TeFilter>> filter = TeGeneratorRegistry::instance().filter(specification);

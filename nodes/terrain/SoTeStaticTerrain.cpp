@@ -56,7 +56,7 @@ void SoTeStaticTerrain::initClass() {
 SoTeStaticTerrain::SoTeStaticTerrain() {
   SO_NODE_CONSTRUCTOR(SoTeStaticTerrain);
   SO_NODE_ADD_FIELD(seed, ("0"));
-  SO_NODE_ADD_FIELD(generator, ("faults"));
+  SO_NODE_ADD_FIELD(generator, (TeGeneratorRegistry::kDefaultGenerator));
   SO_NODE_ADD_EMPTY_MFIELD(filters);
   SO_NODE_ADD_FIELD(file, (""));
   SO_NODE_ADD_FIELD(verticalUnit, ("auto"));
@@ -190,7 +190,7 @@ TeResult<TeHeightSourcePtr> SoTeStaticTerrain::makeSource(double& metres, glm::d
 
 TeResult<TeBlockStyle> SoTeStaticTerrain::makeStyle(const TeStaticBlock& block) const {
   TeBlockStyle style;
-  TeSurfaceColours ground = TeSurfaceColours::forHeights(block.minimum(), block.maximum());
+  TeSurfaceColours ground = TeSurfaceColours::forHeights(block.mean(), block.maximum());
   if (colors.getNum() > 0)
     ground.grass = colour(colors[0]);
   if (colors.getNum() > 1)

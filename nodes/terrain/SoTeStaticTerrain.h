@@ -27,7 +27,7 @@
 ///
 ///     TeStaticTerrain {
 ///       seed           "0"
-///       generator      "faults"
+///       generator      "faults:profile=smooth"
 ///       filters        []
 ///       file           ""
 ///       verticalUnit   "auto"

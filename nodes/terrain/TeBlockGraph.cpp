@@ -10,7 +10,7 @@ TeResult<TeNodePtr<SoSeparator>> teBlockGraph(const TeStaticBlock& block, const 
   if (!std::isfinite(style.verticalScale) || style.verticalScale <= 0)
     return TeError{"vertical scale " + std::to_string(style.verticalScale) + " is not finite and positive"};
   TePatchGraphBuilder builder(block.centre());
-  builder.setColours(style.colours.value_or(TeSurfaceColours::forHeights(block.minimum(), block.maximum())));
+  builder.setColours(style.colours.value_or(TeSurfaceColours::forHeights(block.mean(), block.maximum())));
   builder.setShowParts(style.showParts);
   if (style.image) {
     if (TeStatus status = builder.setImage(*style.image, block.rect()); !status)

@@ -51,6 +51,8 @@ TeResult<TeStaticBlock> TeStaticBlock::build(TeWorld world, glm::dvec2 centre, i
   block.m_first = {middle->x - patches / 2, middle->y - patches / 2, 0};
   float lowest = std::numeric_limits<float>::infinity();
   float highest = -lowest;
+  double sum = 0;
+  std::int64_t present = 0;
   for (int y = 0; y < patches; y++) {
     for (int x = 0; x < patches; x++) {
       const TePatchKey key = {block.m_first.x + x, block.m_first.y + y, 0};
@@ -62,6 +64,8 @@ TeResult<TeStaticBlock> TeStaticBlock::build(TeWorld world, glm::dvec2 centre, i
       if (statistics.present > 0) {
         lowest = std::min(lowest, statistics.minimum);
         highest = std::max(highest, statistics.maximum);
+        sum += statistics.mean * double(statistics.present);
+        present += statistics.present;
       }
       if (progress)
         progress(y * patches + x + 1, patches * patches);
@@ -70,6 +74,7 @@ TeResult<TeStaticBlock> TeStaticBlock::build(TeWorld world, glm::dvec2 centre, i
   if (lowest <= highest) {
     block.m_minimum = lowest;
     block.m_maximum = highest;
+    block.m_mean = float(sum / double(present));
   }
   return block;
 }

@@ -34,9 +34,10 @@ public:
   /// All patches, and what is drawn of them.
   TeWorldRect rect() const { return inset(0); }
   TeWorldRect drawnRect() const { return inset(1); }
-  /// Heights that are not missing; both 0 if all are.
+  /// Heights that are not missing; all 0 if all are. Samples on the border of two patches count twice.
   float minimum() const { return m_minimum; }
   float maximum() const { return m_maximum; }
+  float mean() const { return m_mean; }
 
   /// Gives the meshes of all patches, seams and corner squares that have triangles, one by one, row by row
   /// from the south-west.
@@ -53,4 +54,5 @@ private:
   int m_patches = 0;
   float m_minimum = 0;
   float m_maximum = 0;
+  float m_mean = 0;
 };

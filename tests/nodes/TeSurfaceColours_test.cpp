@@ -10,20 +10,20 @@ const glm::vec3 kSteep(0.9f, 0, std::sqrt(1 - 0.81f));
 } // namespace
 
 TEST(TeSurfaceColours, GrassRockSnowByHeight) {
-  const TeSurfaceColours colours = TeSurfaceColours::forHeights(0, 1000);
+  const TeSurfaceColours colours = TeSurfaceColours::forHeights(500, 1000);
   EXPECT_EQ(colours.colour(100, kUp), colours.grass);
-  EXPECT_EQ(colours.colour(680, kUp), colours.rock);
+  EXPECT_EQ(colours.colour(690, kUp), colours.rock);
   EXPECT_EQ(colours.colour(950, kUp), colours.snow);
 }
 
 TEST(TeSurfaceColours, SteepGroundIsRockAtAnyHeight) {
-  const TeSurfaceColours colours = TeSurfaceColours::forHeights(0, 1000);
+  const TeSurfaceColours colours = TeSurfaceColours::forHeights(500, 1000);
   for (float height : {0.0f, 500.0f, 1000.0f})
     EXPECT_EQ(colours.colour(height, kSteep), colours.rock);
 }
 
 TEST(TeSurfaceColours, ChangesWithoutSteps) {
-  const TeSurfaceColours colours = TeSurfaceColours::forHeights(0, 1000);
+  const TeSurfaceColours colours = TeSurfaceColours::forHeights(500, 1000);
   glm::vec3 before = colours.colour(0, kUp);
   for (int h = 1; h <= 1000; h++) {
     const glm::vec3 now = colours.colour(float(h), kUp);
