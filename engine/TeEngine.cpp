@@ -50,6 +50,13 @@ SbBool TeEngine::setSeed(std::uint64_t seed) {
   return isValid() ? createDatabase() : FALSE;
 }
 
+SbBool TeEngine::setBlending(TeBlendProfile profile) {
+  if (!m_patches.empty())
+    return fail({"TeEngine: the blending cannot change once there are patches"});
+  m_blending = profile;
+  return isValid() ? createDatabase() : FALSE;
+}
+
 SbBool TeEngine::setGenerator(const std::string& specification, const std::vector<std::string>& filters) {
   TeResult<std::unique_ptr<TeGenerator>> made = TeGeneratorRegistry::instance().chain(specification, filters);
   return made ? setGenerator(std::move(*made)) : fail(made.error());
@@ -82,7 +89,8 @@ SbBool TeEngine::updateParams() {
 
 SbBool TeEngine::createDatabase() {
   m_source = m_generator->source();
-  auto made = TePatchDatabase::create({m_lattice, m_seed, std::make_shared<TeSingleSource>(m_source)});
+  auto made =
+      TePatchDatabase::create({m_lattice, m_seed, std::make_shared<TeSingleSource>(m_source), m_blending});
   if (!made)
     return fail(made.error());
   m_database = std::move(*made);

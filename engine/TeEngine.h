@@ -41,6 +41,8 @@ public:
 
   /// The world's seed, 0 by default. FALSE once a patch exists.
   SbBool setSeed(std::uint64_t seed);
+  /// The weights of the four source maps of a patch, smooth by default. FALSE once a patch exists.
+  SbBool setBlending(TeBlendProfile profile);
   /// The generator by specification (TeGeneratorRegistry), with filters over it; its
   /// kDefaultGenerator alone by default.
   /// Maps made before keep theirs, and blending joins the two. FALSE, and the generator as before: unknown
@@ -79,6 +81,7 @@ private:
   bool m_usable = false; ///< the constructor's arguments were good
   TeLattice m_lattice;
   std::uint64_t m_seed = 0;
+  TeBlendProfile m_blending = TeBlendProfile::Smooth;
   std::unique_ptr<TeGenerator> m_generator;
   TeHeightSourcePtr m_source;
   std::unique_ptr<TePatchDatabase> m_database;

@@ -148,6 +148,20 @@ TeGeneratorRegistry::chain(std::string_view generatorText,
   return std::unique_ptr<TeGenerator>(std::make_unique<TeFilterChain>(std::move(*base), std::move(filters)));
 }
 
+TeResult<TeHeightSourcePtr> TeGeneratorRegistry::filtered(TeHeightSourcePtr source,
+                                                          const std::vector<std::string>& filters) const {
+  for (const std::string& specification : filters) {
+    const TeResult<std::unique_ptr<TeFilter>> made = filter(specification);
+    if (!made)
+      return made.error();
+    TeResult<TeHeightSourcePtr> over = (*made)->apply(std::move(source));
+    if (!over)
+      return over.error();
+    source = std::move(*over);
+  }
+  return source;
+}
+
 TeResult<TeHeightSourcePtr> TeGeneratorRegistry::source(std::string_view generatorText,
                                                         const std::vector<std::string>& filterTexts) const {
   TeResult<std::unique_ptr<TeGenerator>> made = chain(generatorText, filterTexts);

@@ -51,6 +51,9 @@ public:
   /// A generator with filters over it, in order, as one generator; the generator itself if there are none.
   TeResult<std::unique_ptr<TeGenerator>> chain(std::string_view generator,
                                                const std::vector<std::string>& filters) const;
+  /// A source with filters over it, in order, each by specification.
+  TeResult<TeHeightSourcePtr> filtered(TeHeightSourcePtr source,
+                                       const std::vector<std::string>& filters) const;
   /// The immutable source of chain().
   TeResult<TeHeightSourcePtr> source(std::string_view generator,
                                      const std::vector<std::string>& filters = {}) const;

@@ -17,7 +17,7 @@ glm::vec3 mix(const glm::vec3& a, const glm::vec3& b, float t) { return a * (1 -
 
 TeSurfaceColours TeSurfaceColours::forHeights(float mean, float highest) {
   TeSurfaceColours colours;
-  const float range = std::max(highest - mean, 1.0f);
+  const float range = std::max(highest - mean, 1e-3f);
   colours.rockLine = mean + 0.15f * range;
   colours.snowLine = mean + 0.60f * range;
   colours.blend = 0.30f * range;

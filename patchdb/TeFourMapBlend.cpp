@@ -20,14 +20,14 @@ struct Rows {
 
 /// Samples of rows `from` .. `to` - 1, which are not border rows. The weights of column 0 are those of the
 /// formula too, but a map of weight 0 must not take part there: the caller sets this column, and column n.
-/// `scale` is 1/n² where that is exact, else 0.
+/// `scale` is 1/whole² where that is exact, else 0.
 TE_TARGET_CLONES
 void blendRows(Rows southWest, Rows southEast, Rows northWest, Rows northEast, float* out, int cells,
-               int from, int to, double scale) {
-  const double whole = double(cells) * cells;
+               const double* rising, double whole, int from, int to, double scale) {
+  const double sum = whole * whole;
   for (int y = from; y < to; ++y) {
-    const double north = y;
-    const double south = cells - y;
+    const double north = rising[y];
+    const double south = whole - north;
     const float* a = southWest.first + std::ptrdiff_t(y) * southWest.stride;
     const float* b = southEast.first + std::ptrdiff_t(y) * southEast.stride;
     const float* c = northWest.first + std::ptrdiff_t(y) * northWest.stride;
@@ -42,41 +42,40 @@ void blendRows(Rows southWest, Rows southEast, Rows northWest, Rows northEast, f
       }
     if (scale != 0)
       for (int x = 0; x < cells; ++x) {
-        const double east = x;
-        const double west = cells - x;
+        const double east = rising[x];
+        const double west = whole - east;
         row[x] = float(
             (west * south * a[x] + east * south * b[x] + west * north * c[x] + east * north * d[x]) * scale);
       }
     else
       for (int x = 0; x < cells; ++x) {
-        const double east = x;
-        const double west = cells - x;
+        const double east = rising[x];
+        const double west = whole - east;
         row[x] = float(
-            (west * south * a[x] + east * south * b[x] + west * north * c[x] + east * north * d[x]) / whole);
+            (west * south * a[x] + east * south * b[x] + west * north * c[x] + east * north * d[x]) / sum);
       }
   }
-}
-
-/// A border sample between two maps, `at` cells from where the first has all the weight.
-float blendTwo(float first, float second, int cells, int at) {
-  const double whole = double(cells) * cells;
-  return float((double(cells - at) * cells * first + double(at) * cells * second) / whole);
 }
 
 bool powerOfTwo(int value) { return (value & (value - 1)) == 0; }
 
 } // namespace
 
-TeFourMapBlend::TeFourMapBlend(const TeHeightMap& southWest, const TeHeightMap& southEast,
-                               const TeHeightMap& northWest, const TeHeightMap& northEast, TeHeightMap& patch)
-    : m_maps{&southWest, &southEast, &northWest, &northEast}, m_patch(&patch), m_cells(patch.width() - 1) {
-  assert(patch.height() == patch.width() && m_cells >= 1);
+TeFourMapBlend::TeFourMapBlend(const TeBlendWeights& weights, const TeHeightMap& southWest,
+                               const TeHeightMap& southEast, const TeHeightMap& northWest,
+                               const TeHeightMap& northEast, TeHeightMap& patch)
+    : m_weights(&weights), m_maps{&southWest, &southEast, &northWest, &northEast}, m_patch(&patch),
+      m_cells(weights.cells()) {
+  assert(patch.height() == patch.width() && patch.width() == m_cells + 1);
   for ([[maybe_unused]] const TeHeightMap* map : m_maps)
     assert(map->width() == 2 * m_cells + 1 && map->height() == map->width());
 }
 
-std::int64_t TeFourMapBlend::weight(int cells, int map, int x, int y) {
-  return std::int64_t(map % 2 == 0 ? cells - x : x) * (map / 2 == 0 ? cells - y : y);
+/// A border sample between two maps, `at` cells from where the first has all the weight.
+float TeFourMapBlend::blendTwo(float first, float second, int at) const {
+  const double whole = m_weights->whole();
+  const double rising = m_weights->rising()[at];
+  return float(((whole - rising) * whole * first + rising * whole * second) / (whole * whole));
 }
 
 bool TeFourMapBlend::step(TeAllowance& allowance) {
@@ -104,7 +103,7 @@ void TeFourMapBlend::blendBorder(int y) {
   const float* east = y == 0 ? m_maps[1]->row(n) : m_maps[3]->row(n);
   out[0] = west[0];
   for (int x = 1; x < n; ++x)
-    out[x] = blendTwo(west[x], east[x], n, x);
+    out[x] = blendTwo(west[x], east[x], x);
   out[n] = east[n];
 }
 
@@ -121,13 +120,14 @@ void TeFourMapBlend::blendTo(int end) {
     const Rows southEast{m_maps[1]->row(n), stride};
     const Rows northWest{m_maps[2]->data() + n, stride};
     const Rows northEast{m_maps[3]->data(), stride};
-    blendRows(southWest, southEast, northWest, northEast, m_patch->data(), n, from, to,
-              powerOfTwo(n) ? 1.0 / (double(n) * n) : 0.0);
+    const double whole = m_weights->whole();
+    blendRows(southWest, southEast, northWest, northEast, m_patch->data(), n, m_weights->rising(), whole,
+              from, to, powerOfTwo(m_weights->whole()) ? 1.0 / (whole * whole) : 0.0);
     for (int y = from; y < to; ++y) {
       const std::ptrdiff_t at = std::ptrdiff_t(y) * stride;
       float* row = m_patch->row(y);
-      row[0] = blendTwo(southWest.first[at], northWest.first[at], n, y);
-      row[n] = blendTwo(southEast.first[at + n], northEast.first[at + n], n, y);
+      row[0] = blendTwo(southWest.first[at], northWest.first[at], y);
+      row[n] = blendTwo(southEast.first[at + n], northEast.first[at + n], y);
     }
   }
   if (end > n)

@@ -1,6 +1,8 @@
 #include "patchdb/TeHeightBuilder.h"
 
-TeResult<std::unique_ptr<TeHeightBuilder>> TeHeightBuilder::create(const TePatchMaps& maps, int cells) {
+TeResult<std::unique_ptr<TeHeightBuilder>> TeHeightBuilder::create(const TePatchMaps& maps,
+                                                                   const TeBlendWeights& weights) {
+  const int cells = weights.cells();
   TeResult<TeHeightMap> heights = TeHeightMap::create(cells + 1, cells + 1);
   if (!heights)
     return heights.error();
@@ -8,7 +10,7 @@ TeResult<std::unique_ptr<TeHeightBuilder>> TeHeightBuilder::create(const TePatch
   builder->m_maps = maps;
   builder->m_heights = std::move(*heights);
   if (maps[0] && maps[1] && maps[2] && maps[3])
-    builder->m_blend.emplace(maps[0]->heights, maps[1]->heights, maps[2]->heights, maps[3]->heights,
+    builder->m_blend.emplace(weights, maps[0]->heights, maps[1]->heights, maps[2]->heights, maps[3]->heights,
                              builder->m_heights);
   return builder;
 }

@@ -9,9 +9,10 @@
 /// (TeNeededMaps), by copying its quarter.
 class TeHeightBuilder {
 public:
-  /// All maps, or the one that is needed, are set and have (2·cells + 1)² samples. Error: no memory for the
-  /// heights.
-  static TeResult<std::unique_ptr<TeHeightBuilder>> create(const TePatchMaps& maps, int cells);
+  /// All maps, or the one that is needed, are set and have (2n + 1)² samples. The weights must outlive the
+  /// builder. Error: no memory for the heights.
+  static TeResult<std::unique_ptr<TeHeightBuilder>> create(const TePatchMaps& maps,
+                                                           const TeBlendWeights& weights);
 
   /// True when done. Units as of TeFourMapBlend; a copy is one unit.
   bool step(TeAllowance& allowance);

@@ -42,8 +42,7 @@ TeStatus TePatchDatabase::prepareBuildMaps(TePatchData& patch) {
 TeStatus TePatchDatabase::buildHeights(TePatchData& patch) {
   if (!patch.hasMaps())
     return TeError{"patch " + patch.key().text() + ": its source maps were not prepared"};
-  TeResult<std::unique_ptr<TeHeightBuilder>> builder =
-      TeHeightBuilder::create(patch.maps(), lattice().cells());
+  TeResult<std::unique_ptr<TeHeightBuilder>> builder = TeHeightBuilder::create(patch.maps(), m_weights);
   if (!builder)
     return builder.error();
   TeAllowance all = TeAllowance::unlimited();

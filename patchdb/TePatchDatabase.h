@@ -30,6 +30,7 @@ public:
 
   const TeWorld& world() const { return m_world; }
   const TeLattice& lattice() const { return m_world.lattice; }
+  const TeBlendWeights& blendWeights() const { return m_weights; }
   /// Replaces the sources for maps that were never begun; all others keep theirs (see TeMapStore).
   TeStatus setSources(std::shared_ptr<const TeSourceChooser> sources);
 
@@ -77,9 +78,11 @@ public:
   std::optional<TeSurfacePoint> surfaceAt(glm::dvec2 point) const;
 
 private:
-  explicit TePatchDatabase(TeWorld world) : m_world(std::move(world)) {}
+  explicit TePatchDatabase(TeWorld world)
+      : m_world(std::move(world)), m_weights(m_world.lattice.cells(), m_world.blending) {}
 
   TeWorld m_world;
+  TeBlendWeights m_weights;
   TeMapStore m_maps;
   TePatchTree m_tree;
   TeSurface m_surface{m_world.lattice, m_tree};

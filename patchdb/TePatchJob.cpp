@@ -67,7 +67,7 @@ TeProgress TePatchJob::makeMaps(TeAllowance& allowance) {
 TeProgress TePatchJob::makeHeights(TeAllowance& allowance) {
   if (!m_builder) {
     TeResult<std::unique_ptr<TeHeightBuilder>> builder =
-        TeHeightBuilder::create(m_maps, m_database->lattice().cells());
+        TeHeightBuilder::create(m_maps, m_database->blendWeights());
     if (!builder)
       return fail(builder.error());
     m_builder = std::move(*builder);

@@ -62,6 +62,15 @@ void TeStaticOptions::addTerrain(TeCommandLine& commandLine) {
       ->option_text("SPEC")
       ->allow_extra_args(false)
       ->group(group);
+  cli.add_option_function<std::string>(
+         "--blend",
+         [this](const std::string& text) {
+           blending = text == "linear" ? TeBlendProfile::Linear : TeBlendProfile::Smooth;
+         },
+         "Weights of the maps that make a patch: smooth, or linear as in the document (default: smooth)")
+      ->check(CLI::IsMember({"linear", "smooth"}))
+      ->option_text("PROFILE")
+      ->group(group);
   cli.add_flag("--list-generators", listGenerators, "Print generators and filters with their parameters")
       ->group(group);
 }

@@ -1,7 +1,9 @@
 #pragma once
 
 #include "apps/common/TeCommandLine.h"
+#include "generators/TeGeneratorRegistry.h"
 #include "generators/base/TeResult.h"
+#include "patchdb/TeBlendWeights.h"
 
 #include <glm/vec2.hpp>
 
@@ -14,12 +16,13 @@ struct TeStaticOptions {
   static constexpr int kMaxBlock = 255;
   static constexpr int kMaxSamples = 8193;
 
-  int block = 3;         ///< patches a side
-  int samples = 0;       ///< a side of a source map; 0 = as suits
-  double spacing = 0;    ///< metres; 0 = as suits
-  glm::dvec2 center{0};  ///< a point of the middle patch, metres
-  std::string generator; ///< specification; empty = the default
+  int block = 3;                                                  ///< patches a side
+  int samples = 0;                                                ///< a side of a source map; 0 = as suits
+  double spacing = 0;                                             ///< metres; 0 = as suits
+  glm::dvec2 center{0};                                           ///< a point of the middle patch, metres
+  std::string generator = TeGeneratorRegistry::kDefaultGenerator; ///< specification
   std::vector<std::string> filters;
+  TeBlendProfile blending = TeBlendProfile::Smooth;
   bool listGenerators = false;
 
   std::string dem;                   ///< elevation file; empty = none

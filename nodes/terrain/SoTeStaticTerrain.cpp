@@ -62,6 +62,10 @@ SoTeStaticTerrain::SoTeStaticTerrain() {
   SO_NODE_ADD_FIELD(verticalUnit, ("auto"));
   SO_NODE_ADD_FIELD(fillVoids, (FALSE));
   SO_NODE_ADD_FIELD(native, (FALSE));
+  SO_NODE_DEFINE_ENUM_VALUE(Blending, LINEAR);
+  SO_NODE_DEFINE_ENUM_VALUE(Blending, SMOOTH);
+  SO_NODE_SET_SF_ENUM_TYPE(blending, Blending);
+  SO_NODE_ADD_FIELD(blending, (SMOOTH));
   SO_NODE_ADD_FIELD(samples, (65));
   SO_NODE_ADD_FIELD(spacing, (0.0));
   SO_NODE_ADD_FIELD(block, (3));
@@ -145,6 +149,7 @@ TeResult<TeWorld> SoTeStaticTerrain::makeWorld(glm::dvec2& middle) const {
     return lattice.error();
   world.lattice = *lattice;
   world.sources = std::make_shared<TeSingleSource>(std::move(*source));
+  world.blending = blending.getValue() == LINEAR ? TeBlendProfile::Linear : TeBlendProfile::Smooth;
   return world;
 }
 
@@ -175,17 +180,7 @@ TeResult<TeHeightSourcePtr> SoTeStaticTerrain::makeSource(double& metres, glm::d
     return terrain.error();
   metres = terrain->spacing;
   middle += terrain->centre;
-  TeHeightSourcePtr source = terrain->source;
-  for (const std::string& specification : specifications) {
-    const TeResult<std::unique_ptr<TeFilter>> filter = registry.filter(specification);
-    if (!filter)
-      return filter.error();
-    TeResult<TeHeightSourcePtr> filtered = (*filter)->apply(source);
-    if (!filtered)
-      return filtered.error();
-    source = std::move(*filtered);
-  }
-  return source;
+  return registry.filtered(terrain->source, specifications);
 }
 
 TeResult<TeBlockStyle> SoTeStaticTerrain::makeStyle(const TeStaticBlock& block) const {

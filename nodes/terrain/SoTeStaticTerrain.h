@@ -8,6 +8,7 @@
 #include <Inventor/fields/SoMFString.h>
 #include <Inventor/fields/SoSFBool.h>
 #include <Inventor/fields/SoSFDouble.h>
+#include <Inventor/fields/SoSFEnum.h>
 #include <Inventor/fields/SoSFFloat.h>
 #include <Inventor/fields/SoSFInt32.h>
 #include <Inventor/fields/SoSFString.h>
@@ -33,6 +34,7 @@
 ///       verticalUnit   "auto"
 ///       fillVoids      FALSE
 ///       native         FALSE
+///       blending       SMOOTH
 ///       samples        65
 ///       spacing        0
 ///       block          3
@@ -50,6 +52,9 @@ class SoTeStaticTerrain : public SoNode {
   SO_NODE_HEADER(SoTeStaticTerrain);
 
 public:
+  /// LINEAR: the document's weights; SMOOTH: those without creases (TeBlendProfile).
+  enum Blending { LINEAR, SMOOTH };
+
   static void initClass();
   SoTeStaticTerrain();
 
@@ -60,6 +65,7 @@ public:
   SoSFString verticalUnit; ///< of the file: "auto", "m", "0.1", "ft" … (teVerticalUnit)
   SoSFBool fillVoids;      ///< fills the file's voids from around them; else they are holes
   SoSFBool native;         ///< samples are the file's posts, the highest one in the world's origin
+  SoSFEnum blending;       ///< of the maps from which patches are made; of no effect on a file
   SoSFInt32 samples;       ///< a side of a source map, odd
   SoSFDouble spacing;      ///< metres between samples; 0: the block covers the file; 1 without a file
   SoSFInt32 block;         ///< patches a side

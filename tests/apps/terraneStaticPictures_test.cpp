@@ -70,6 +70,11 @@ TEST_F(TerraneStaticPictures, FarAwayLooksNoWorse) {
   EXPECT_LT(teDifferingShare(a, b, 2), 0.002);
 }
 
+TEST_F(TerraneStaticPictures, LinearBlendingMakesOtherLand) {
+  EXPECT_NE(draw({"--blend", "linear"}), draw({}));
+  EXPECT_EQ(draw({"--blend", "smooth"}), draw({}));
+}
+
 TEST_F(TerraneStaticPictures, ViewOptionsChangeThePicture) {
   const TePicture plain = draw({"--seed", "3"});
   const int triangles = report()["triangles"];

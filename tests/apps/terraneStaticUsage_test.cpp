@@ -82,6 +82,7 @@ TEST_F(TerraneStaticUsage, GeneratorsAndFilters) {
   expectRefused({"--generator", "faults:faults=nan"}, 2, "faults");
   expectRefused({"--generator", "noise:wavelength=nan"}, 2, "wavelength");
   expectRefused({"--generator", ""}, 2, "generator");
+  expectRefused({"--blend", "no-such"}, 2, "--blend");
   expectRefused({"--filter", "no-such"}, 2, "no-such");
   expectRefused({"--filter", "band:k=2"}, 2, "k");
   expectRefused({"--generator", "midpoint", "--samples", "67"}, 2, "67");

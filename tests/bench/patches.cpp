@@ -69,9 +69,10 @@ void blend(benchmark::State& state) {
   BlendField field(int(state.range(0)), int(state.range(1)));
   TeBenchmarkWork work = field.work();
   work.targetCopies = 1.3;
+  const TeBlendWeights weights((int(state.range(0)) - 1) / 2, TeBlendProfile::Smooth);
   teBenchmark(state, work, [&] {
     field.next();
-    TeFourMapBlend(field.map(0), field.map(1), field.map(2), field.map(3), field.heights()).finish();
+    TeFourMapBlend(weights, field.map(0), field.map(1), field.map(2), field.map(3), field.heights()).finish();
     benchmark::ClobberMemory();
   });
 }

@@ -77,6 +77,19 @@ TEST(TeEngine, PointsOutsideTheWorldAreAnError) {
   }
 }
 
+TEST(TeEngine, BlendsAsAskedForUntilThereArePatches) {
+  double heights[2];
+  for (TeBlendProfile profile : {TeBlendProfile::Linear, TeBlendProfile::Smooth}) {
+    TeEngine engine(SbVec2s(33, 33), SbVec2f(32.0f, 32.0f));
+    ASSERT_TRUE(engine.setBlending(profile));
+    TePatch* patch = engine.getPatch(SbVec2f(0, 0));
+    ASSERT_TRUE(patch->prepareBuildMaps() && patch->buildHMapFromBuildMaps());
+    heights[int(profile)] = *engine.getDatabase()->heightAt({-4, -4});
+    EXPECT_FALSE(engine.setBlending(TeBlendProfile::Linear));
+  }
+  EXPECT_NE(heights[0], heights[1]);
+}
+
 TEST(TeEngine, UnknownGeneratorLeavesTheFormerOne) {
   TeEngine engine(SbVec2s(33, 33), SbVec2f(64.0f, 64.0f));
   const std::string former = engine.getGenerator().name();

@@ -136,7 +136,7 @@ TEST(FittingBorders, PatchesOfFittingSourcesAreTheSourcesOwnHeights) {
         for (int corner = 0; corner < 4; ++corner)
           maps[corner] = *database->mapSource({i, j})->get()->generate(
               TeMapRequest::sourceMap(database->lattice(), 7, teMapKey(patch.key(), corner)));
-        TeFourMapBlend(maps[0], maps[1], maps[2], maps[3], blended).finish();
+        TeFourMapBlend(database->blendWeights(), maps[0], maps[1], maps[2], maps[3], blended).finish();
         ASSERT_TRUE(patch.heights() == blended);
         for (int y = 0; y <= n; ++y)
           for (int x = 0; x <= n; ++x)

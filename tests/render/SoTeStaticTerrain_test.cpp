@@ -1,8 +1,8 @@
 #include "nodes/terrain/SoTeStaticTerrain.h"
 
 #include "nodes/readScene.h"
-#include "render/TeRenderTest.h"
 #include "nodes/testWorld.h"
+#include "render/TeRenderTest.h"
 #include "render/topView.h"
 
 namespace {
@@ -12,7 +12,7 @@ class SoTeStaticTerrainTest : public TeRenderTest {};
 TEST_F(SoTeStaticTerrainTest, DrawsTheBlockOfItsFields) {
   const auto file = readScene("TeStaticTerrain { seed 7 }");
   ASSERT_TRUE(file);
-  auto block = TeStaticBlock::build(worldOf("faults", {}, 65, 7), {0, 0}, 3);
+  auto block = TeStaticBlock::build(worldOf(TeGeneratorRegistry::kDefaultGenerator, {}, 65, 7), {0, 0}, 3);
   ASSERT_TRUE(block) << block.error().message;
   const auto graph = teBlockGraph(*block);
   ASSERT_TRUE(graph) << graph.error().message;

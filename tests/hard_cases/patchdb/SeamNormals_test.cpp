@@ -1,5 +1,5 @@
 #include "generators/base/TeRandom.h"
-#include "patchdb/TeFourMapBlend.h"
+#include "patchdb/TeBlendWeights.h"
 #include "patchdb/TeSurfaceNormals.h"
 #include "patchdb/TeTestWorlds.h"
 
@@ -46,13 +46,14 @@ TEST(HardCase, SeamNormals) {
           ++vertices;
         }
     }
+  const TeBlendWeights smooth(n, TeBlendProfile::Smooth);
   long weights = 0;
   for (int y = 0; y <= n; ++y)
     for (int x = 0; x <= n; ++x) {
       std::int64_t sum = 0;
       for (int map = 0; map < 4; ++map)
-        sum += TeFourMapBlend::weight(n, map, x, y);
-      ASSERT_EQ(sum, n * n);
+        sum += smooth.weight(map, x, y);
+      ASSERT_EQ(sum, std::int64_t(smooth.whole()) * smooth.whole());
       ++weights;
     }
   std::printf("SeamNormals: %ld vertex normals and %ld sums of weights, 0 bits differ\n", vertices, weights);

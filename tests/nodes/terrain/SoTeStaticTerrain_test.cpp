@@ -139,7 +139,7 @@ TEST(SoTeStaticTerrain, BlockOfAnySize) {
 TEST(SoTeStaticTerrain, FieldsSurviveWritingAndReading) {
   const auto root =
       readScene("TeStaticTerrain { seed 18446744073709551615 generator \"faults:faults=20\" "
-                "samples 17 spacing 0.1 block 2 center 12345.125 -7.5 verticalScale 2 "
+                "blending LINEAR samples 17 spacing 0.1 block 2 center 12345.125 -7.5 verticalScale 2 "
                 "water TRUE waterLevel -1.5 colors [ 0 1 0, 0.5 0.5 0.5 ] colorHeights [ 3, 5 ] "
                 "parts TRUE }");
   ASSERT_TRUE(root);
@@ -174,6 +174,9 @@ TEST(SoTeStaticTerrain, FieldChangesRebuild) {
   SoSeparator* graph = terrain->getGraph();
   EXPECT_EQ(triangles(root.get()), blockTriangles(2, 8));
   EXPECT_EQ(terrain->getGraph(), graph); // not built again
+  const double smooth = *terrain->getBlock()->database().heightAt({1.0, 2.0});
+  terrain->blending = SoTeStaticTerrain::LINEAR;
+  EXPECT_NE(*terrain->getBlock()->database().heightAt({1.0, 2.0}), smooth);
 }
 
 TEST(SoTeStaticTerrain, BadFieldsGiveOneWarningAndNothing) {
