@@ -1,8 +1,40 @@
 #include "patchdb/TeBlendWeights.h"
 
+#include "generators/TeGeneratorRegistry.h"
+#include "patchdb/TePatchDatabase.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+
+namespace {
+
+/// Root mean square of the second difference of heights along x, in the column `column` of patches.
+double bendOfColumn(TeBlendProfile profile, int column) {
+  double sum = 0;
+  int count = 0;
+  for (std::uint64_t seed = 0; seed < 10; ++seed) {
+    TeWorld world{*TeLattice::create(65, 1.0), seed, nullptr, profile};
+    world.sources = std::make_shared<TeSingleSource>(
+        *TeGeneratorRegistry::instance().source(TeGeneratorRegistry::kDefaultGenerator));
+    const auto database = std::move(*TePatchDatabase::create(world));
+    for (std::int64_t y = -1; y <= 1; ++y)
+      for (std::int64_t x = -1; x <= 1; ++x)
+        EXPECT_TRUE(database->build({x, y, 0}));
+    for (int border : {-16, 16})
+      for (int y = -48; y <= 48; ++y) {
+        const double x = border + column;
+        const double bend = *database->heightAt({x - 1, y}) - 2 * *database->heightAt({x, y}) +
+                            *database->heightAt({x + 1, y});
+        sum += bend * bend;
+        ++count;
+      }
+  }
+  return std::sqrt(sum / count);
+}
+
+} // namespace
 
 // The upper half of the weight matrix of a 9×9 map, row by row from its rim: it is the southern part of the
 // patches north of the map's centre, seen from their south-east and south-west maps.
@@ -67,4 +99,16 @@ TEST(TeBlendWeights, SmoothOnesLeaveTheBorderWithoutSlopeOrCurvature) {
       ASSERT_NEAR(weights.rising()[x] / weights.whole(), exact, 1.0 / weights.whole());
     }
   }
+}
+
+// The land of the default world bends across borders as it does beside them; linear weights crease it.
+TEST(TeBlendWeights, SmoothOnesMakeNoCreaseInTheDefaultWorld) {
+  double excess[2];
+  for (TeBlendProfile profile : {TeBlendProfile::Linear, TeBlendProfile::Smooth}) {
+    const double beside = 0.5 * (bendOfColumn(profile, -1) + bendOfColumn(profile, 1));
+    excess[int(profile)] = bendOfColumn(profile, 0) / beside;
+  }
+  std::printf("bend across borders to bend beside them: linear %.2f, smooth %.2f\n", excess[0], excess[1]);
+  EXPECT_LT(excess[int(TeBlendProfile::Smooth)], 1.1);
+  EXPECT_GT(excess[int(TeBlendProfile::Linear)], 1.4);
 }
