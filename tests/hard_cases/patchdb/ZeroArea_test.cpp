@@ -8,7 +8,7 @@
 
 // Perfectly flat worlds, at heights of every size, and spacings of every size: normals are exactly up, no
 // triangle lacks area, and rays within the plane of the ground end.
-TEST(HardCase, ZeroAreaPatchdb) {
+TEST(HardCase, ZeroArea) {
   long normals = 0;
   for (float height : {0.0f, -0.0f, 1e-45f, 1234.5f, -11034.0f, 3.4028234e38f})
     for (double spacing : {1e-6, 0.1, 1.0, 30.0, 1e6}) {
@@ -33,5 +33,5 @@ TEST(HardCase, ZeroAreaPatchdb) {
       EXPECT_FALSE(database->intersect({-1e9, 0, double(height) + 2 + std::fabs(double(height))}, {1, 0, 0},
                                        INFINITY));
     }
-  std::printf("ZeroAreaPatchdb: %ld normals of flat ground, all exactly (0, 0, 1)\n", normals);
+  std::printf("ZeroArea: %ld normals of flat ground, all exactly (0, 0, 1)\n", normals);
 }

@@ -25,7 +25,7 @@ bool isOneClearLine(const std::string& message) {
 
 } // namespace
 
-TEST(HardCase, SizesGenerators) {
+TEST(HardCase, Sizes) {
   int accepted = 0;
   int refused = 0;
   for (const TeChainUnderTest& chain : teEveryGenerator()) {

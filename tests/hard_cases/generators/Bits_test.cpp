@@ -11,7 +11,7 @@
 #endif
 
 // The golden bits with this build's compiler and options; bits.sh tries others.
-TEST(HardCase, BitsGenerators) {
+TEST(HardCase, Bits) {
   int chains = 0;
   for (const TeChainUnderTest& chain : teEveryGenerator()) {
     const std::uint64_t hash = teHashOf(chain);
