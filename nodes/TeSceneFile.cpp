@@ -5,6 +5,7 @@
 #include <Inventor/nodes/SoNode.h>
 
 #include <cerrno>
+#include <charconv>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
@@ -13,6 +14,21 @@ namespace {
 
 constexpr std::size_t kFirstBuffer = 1 << 16;
 
+/// Coin itself writes at most eight digits of a float, which not all floats come back from.
+class ExactOutput : public SoOutput {
+public:
+  using SoOutput::write;
+  void write(const float value) override { writeShortest(value); }
+  void write(const double value) override { writeShortest(value); }
+
+private:
+  template <class Real> void writeShortest(Real value) {
+    char text[32] = {}; // 24 characters at most, and the end
+    std::to_chars(text, text + sizeof text - 1, value);
+    SoOutput::write(static_cast<const char*>(text));
+  }
+};
+
 } // namespace
 
 TeStatus teWriteScene(SoNode* scene, const std::string& path) {
@@ -20,9 +36,8 @@ TeStatus teWriteScene(SoNode* scene, const std::string& path) {
   if (!file)
     return TeError{path + ": cannot be written: " + std::strerror(errno)};
   // Coin does not say whether its own writing to a file failed: it writes into memory, we to the file.
-  SoOutput output;
+  ExactOutput output;
   output.setBuffer(std::malloc(kFirstBuffer), kFirstBuffer, std::realloc);
-  output.setFloatPrecision(9);
   SoWriteAction action(&output);
   action.apply(scene);
   void* buffer = nullptr;

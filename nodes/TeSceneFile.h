@@ -6,6 +6,7 @@
 
 class SoNode;
 
-/// Writes a scene as an Inventor file in text; floats with nine digits, so that reading gives the same bits.
+/// Writes a scene as an Inventor file in text; numbers with as many digits as reading needs to give the same
+/// bits.
 /// Error: the file cannot be written; the message names it and says why.
 TeStatus teWriteScene(SoNode* scene, const std::string& path);
