@@ -5,6 +5,7 @@
 
 #include <charconv>
 #include <cstdio>
+#include <string_view>
 
 namespace {
 
@@ -14,24 +15,35 @@ std::string numberText(double value) {
   return text;
 }
 
-/// CLI11 takes -1 and 2^64 for a number without sign.
+/// A decimal number and nothing else. (CLI11 takes 010 for 8, and -1 and 2^64 for numbers without sign.)
+template <class Whole> bool readWhole(std::string_view text, Whole& value) {
+  const char* const end = text.data() + text.size();
+  const auto read = std::from_chars(text.data(), end, value);
+  return read.ec == std::errc() && read.ptr == end;
+}
+
+/// Writes the number so that CLI11 reads it the same.
 std::string checkSeed(std::string& text) {
   std::uint64_t seed = 0;
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data(), end, seed);
-  if (read.ec == std::errc() && read.ptr == end)
-    return {};
-  return "must be a whole number from 0 to 18446744073709551615, not '" + text + "'";
+  if (!readWhole(text, seed))
+    return "must be a whole number from 0 to 18446744073709551615, not '" + text + "'";
+  text = std::to_string(seed);
+  return {};
+}
+
+bool readSize(std::string_view text, int& width, int& height) {
+  const std::size_t cross = text.find('x');
+  const auto inRange = [](int side) { return side >= 1 && side <= TeCommonOptions::kMaxSide; };
+  return cross != std::string_view::npos && readWhole(text.substr(0, cross), width) &&
+         readWhole(text.substr(cross + 1), height) && inRange(width) && inRange(height);
 }
 
 std::string checkSize(std::string& text) {
-  int width = 0, height = 0, used = 0;
-  const bool read = std::sscanf(text.c_str(), "%dx%d%n", &width, &height, &used) == 2;
-  const int most = TeCommonOptions::kMaxSide;
-  if (read && std::size_t(used) == text.size() && width >= 1 && width <= most && height >= 1 &&
-      height <= most)
+  int width = 0, height = 0;
+  if (readSize(text, width, height))
     return {};
-  return "must be WIDTHxHEIGHT, each from 1 to " + std::to_string(most) + ", not '" + text + "'";
+  return "must be WIDTHxHEIGHT, each from 1 to " + std::to_string(TeCommonOptions::kMaxSide) + ", not '" +
+         text + "'";
 }
 
 } // namespace
@@ -61,7 +73,7 @@ TeCommandLine::TeCommandLine(const std::string& application, const std::string& 
   addInteger("--frames", m_common.frames, 1, 1'000'000'000, "Frames to draw, then exit")->group(common);
   addNumber("--dt", m_common.dt, 0, 86400, "Seconds a frame, for runs that repeat exactly")->group(common);
   m_cli.add_option("--seed", m_common.seed, "The world's seed (default: 0)")
-      ->check(CLI::Validator(checkSeed, ""))
+      ->transform(CLI::Validator(checkSeed, ""))
       ->option_text("N")
       ->group(common);
   m_cli.add_option("--report", m_common.report, "Write what was done and measured")
@@ -78,7 +90,7 @@ CLI::Option* TeCommandLine::addNumber(const std::string& name, double& value, do
 
 CLI::Option* TeCommandLine::addInteger(const std::string& name, int& value, int minimum, int maximum,
                                        const std::string& help) {
-  return m_cli.add_option(name, value, help)->check(within(minimum, maximum))->option_text("N");
+  return m_cli.add_option(name, value, help)->transform(wholeWithin(minimum, maximum))->option_text("N");
 }
 
 std::optional<int> TeCommandLine::parse(int argc, char** argv) {
@@ -91,7 +103,7 @@ std::optional<int> TeCommandLine::parse(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return teExitWith(TeExitUsage, m_application, std::string(error.what()) + " (--help lists the options)");
   }
-  std::sscanf(m_size.c_str(), "%dx%d", &m_common.width, &m_common.height);
+  readSize(m_size, m_common.width, m_common.height);
   return {};
 }
 
@@ -102,6 +114,18 @@ CLI::Validator TeCommandLine::within(double minimum, double maximum) {
       return {};
     return "must be a number from " + numberText(minimum) + " to " + numberText(maximum) + ", not '" + text +
            "'";
+  };
+  return CLI::Validator(check, "");
+}
+
+CLI::Validator TeCommandLine::wholeWithin(int minimum, int maximum) {
+  const auto check = [minimum, maximum](std::string& text) -> std::string {
+    int value = 0;
+    if (!readWhole(text, value) || value < minimum || value > maximum)
+      return "must be a whole number from " + std::to_string(minimum) + " to " + std::to_string(maximum) +
+             ", not '" + text + "'";
+    text = std::to_string(value);
+    return {};
   };
   return CLI::Validator(check, "");
 }

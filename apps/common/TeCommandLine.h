@@ -30,6 +30,9 @@ public:
 
   /// Accepts numbers from minimum to maximum. (CLI11's own range check lets NaN pass.)
   static CLI::Validator within(double minimum, double maximum);
+  /// Accepts decimal whole numbers from minimum to maximum. (CLI11 takes 010 for 8.) Give it to an option's
+  /// transform(), for it rewrites the number.
+  static CLI::Validator wholeWithin(int minimum, int maximum);
   static CLI::Validator notEmpty();
 
 private:

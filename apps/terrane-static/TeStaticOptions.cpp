@@ -19,13 +19,8 @@ std::string checkPoint(std::string& text) {
   return readPoint(text, point) ? std::string() : "must be X,Y in metres, not '" + text + "'";
 }
 
-std::string checkSamples(std::string& text) {
-  int samples = 0;
-  if (CLI::detail::lexical_cast(text, samples) && samples % 2 == 1 && samples >= TeLattice::kMinSamples &&
-      samples <= TeStaticOptions::kMaxSamples)
-    return {};
-  return "must be an odd number from " + std::to_string(TeLattice::kMinSamples) + " to " +
-         std::to_string(TeStaticOptions::kMaxSamples) + ", not '" + text + "'";
+std::string checkOdd(std::string& text) {
+  return (text.back() - '0') % 2 != 0 ? std::string() : "must be odd, not '" + text + "'";
 }
 
 } // namespace
@@ -40,8 +35,10 @@ void TeStaticOptions::addTerrain(TeCommandLine& commandLine) {
   CLI::App& cli = commandLine.cli();
   const std::string group = "Terrain";
   commandLine.addInteger("--block", block, 1, kMaxBlock, "Patches a side (default: 3)")->group(group);
-  cli.add_option("--samples", samples, "Samples a side of a source map, odd; a patch has half (default: 65)")
-      ->check(CLI::Validator(checkSamples, ""))
+  commandLine
+      .addInteger("--samples", samples, TeLattice::kMinSamples, kMaxSamples,
+                  "Samples a side of a source map, odd; a patch has half (default: 65)")
+      ->check(CLI::Validator(checkOdd, ""))
       ->option_text("W")
       ->group(group);
   commandLine.addNumber("--spacing", spacing, 1e-6, 1e6, "Metres between samples (default: 1)")

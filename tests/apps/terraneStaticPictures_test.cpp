@@ -42,6 +42,15 @@ TEST_F(TerraneStaticPictures, ASeedIsAWorld) {
   EXPECT_GT(teDifferingShare(draw({"--seed", "8"}), a), 0.2);
 }
 
+// They are no octal numbers.
+TEST_F(TerraneStaticPictures, NumbersMayBeginWithZeros) {
+  draw({"--seed", "0123", "--block", "01", "--samples", "017", "--size", "0064x048"});
+  EXPECT_EQ(report()["seed"], 123);
+  EXPECT_EQ(report()["patches"], 1);
+  EXPECT_EQ(report()["samples"], 17);
+  EXPECT_EQ(report()["picture_size"], nlohmann::json({64, 48}));
+}
+
 TEST_F(TerraneStaticPictures, TheReportSaysWhatWasDone) {
   draw({"--seed", "18446744073709551615", "--generator", "noise:type=ridged", "--filter", "matrix", "--block",
         "2", "--samples", "33", "--spacing", "4", "--center", "-100,200"});
