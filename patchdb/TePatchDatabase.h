@@ -71,7 +71,7 @@ public:
   std::optional<glm::dvec3> normalAt(glm::dvec2 point) const;
   /// First hit of the ray with the surface of the base patches, from above or below, at a distance within
   /// [0, maxDistance] (in units of the direction's length, which need not be 1; infinity is allowed). None
-  /// also for arguments that are not numbers and a direction of length 0. Visits known patches only.
+  /// also for an origin or direction that is not finite, and a direction of length 0. Visits known patches only.
   std::optional<TeRayHit> intersect(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const;
 
   /// Height from the finest known patch, and how far the base level may differ from it.

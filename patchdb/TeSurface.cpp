@@ -32,16 +32,16 @@ std::optional<TeRayHit> TeSurface::intersect(glm::dvec3 origin, glm::dvec3 direc
   if (direction.x != 0 || direction.y != 0)
     return teMarchRay(*m_lattice, m_tree->level(0), origin, direction, maxDistance);
   Place place;
-  if (!(direction.z != 0) || !locate({origin.x, origin.y}, place))
+  if (direction.z == 0 || !std::isfinite(direction.z) || !std::isfinite(origin.z) ||
+      !locate({origin.x, origin.y}, place) || place.patch->key().level != 0)
     return std::nullopt;
   const double height = place.cell.height(place.u, place.v);
   const double distance = (height - origin.z) / direction.z;
   if (!(distance >= 0 && distance <= maxDistance))
     return std::nullopt;
-  const double spacing = m_lattice->spacing() * double(std::int64_t(1) << place.patch->key().level);
   return TeRayHit{distance,
                   {origin.x, origin.y, height},
-                  place.cell.normal(place.u, place.v, spacing),
+                  place.cell.normal(place.u, place.v, m_lattice->spacing()),
                   place.patch->key()};
 }
 

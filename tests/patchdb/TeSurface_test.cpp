@@ -91,6 +91,11 @@ TEST(TeSurface, NothingIsAnsweredWhereNothingIsKnown) {
     EXPECT_FALSE(database->normalAt({0, bad}));
     EXPECT_FALSE(database->surfaceAt({bad, bad}));
     EXPECT_FALSE(database->intersect({bad, 0, 0}, {1, 0, 0}, 10));
+    if (!std::isfinite(bad)) {
+      EXPECT_FALSE(database->intersect({2, 2, bad}, {0, 0, 1}, INFINITY));
+      EXPECT_FALSE(database->intersect({2, 2, bad}, {0, 0, -1}, INFINITY));
+      EXPECT_FALSE(database->intersect({2, 2, 10}, {0, 0, bad}, INFINITY));
+    }
     EXPECT_FALSE(database->intersect({0, 0, 10}, {0, 0, -1}, -1));
   }
   EXPECT_FALSE(database->intersect({2, 2, 10}, {0, NAN, -1}, 100));
@@ -126,7 +131,11 @@ TEST(TeSurface, CoarserPatchesAnswerWithTheirDeviation) {
   EXPECT_EQ(coarse->key, (TePatchKey{0, 0, 2}));
   EXPECT_EQ(coarse->deviation, 0.75);
   EXPECT_EQ(coarse->height, 13.5);
+  // Rays meet base patches only, however they are directed.
+  EXPECT_FALSE(database->intersect({9.5, 3.25, 100}, {0, 0, -1}, 1000));
+  EXPECT_FALSE(database->intersect({9.5, 3.25, 100}, {0.001, 0, -1}, 1000));
   ASSERT_TRUE(database->build({1, 0, 0}));
+  EXPECT_TRUE(database->intersect({9.5, 3.25, 100}, {0, 0, -1}, 1000));
   const auto fine = database->surfaceAt({9.5, 3.25});
   EXPECT_EQ(fine->key, (TePatchKey{1, 0, 0}));
   EXPECT_EQ(fine->deviation, 0.0);
