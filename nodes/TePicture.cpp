@@ -2,6 +2,7 @@
 
 #include <png.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -19,6 +20,9 @@ using File = std::unique_ptr<std::FILE, FileCloser>;
 TeStatus TePicture::writePng(const std::string& path) const {
   if (width < 1 || height < 1)
     return TeError{path + ": an empty picture cannot be written"};
+  if (width > kMaxSide || height > kMaxSide || rgba.size() != std::size_t(4) * width * height)
+    return TeError{path + ": a picture of " + std::to_string(width) + "x" + std::to_string(height) +
+                   " with " + std::to_string(rgba.size()) + " bytes cannot be written"};
   File file(std::fopen(path.c_str(), "wb"));
   if (!file)
     return TeError{path + ": cannot be written: " + std::strerror(errno)};

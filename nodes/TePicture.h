@@ -24,7 +24,8 @@ struct TePicture {
     return {p[0], p[1], p[2], p[3]};
   }
 
-  /// Error: the file cannot be written; the message names it and says why.
+  /// Error: no pixels, or not as many as the sides say; a side above kMaxSide; the file cannot be written.
+  /// The message names it and says why.
   TeStatus writePng(const std::string& path) const;
   /// Reads a PNG of any colour type. Error: no such file, not a PNG, damaged, a side above kMaxSide.
   static TeResult<TePicture> readPng(const std::string& path);

@@ -41,6 +41,14 @@ TEST(TePicture, FailingWritesNameTheFile) {
   EXPECT_FALSE(TePicture().writePng(temporary("empty.png")));
 }
 
+TEST(TePicture, PicturesWithoutAllTheirPixelsAreNotWritten) {
+  TePicture picture = gradient(5, 4);
+  picture.rgba.pop_back();
+  const std::string path = temporary("short.png");
+  EXPECT_FALSE(picture.writePng(path));
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST(TePicture, EveryPrefixOfAPngIsAnError) {
   const std::string path = temporary("whole.png");
   ASSERT_TRUE(gradient(5, 5).writePng(path));
