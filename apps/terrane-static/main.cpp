@@ -52,6 +52,13 @@ int trianglesOf(SoNode* scene) {
   return count.getTriangleCount();
 }
 
+/// Shows how far it has come; the line is gone before anything else is printed.
+TeResult<TeStaticBlock> makeTerrain(const TeStaticWorld& made, int patches, bool quiet) {
+  TeProgressLine progress("Making terrain", quiet);
+  return TeStaticBlock::build(made.world, made.centre, patches,
+                              [&](int done, int total) { progress.update(double(done) / total); });
+}
+
 int run(const TeCommandLine& commandLine, const TeStaticOptions& options) {
   const TeCommonOptions& common = commandLine.common();
   TeReport report(kName, commandLine.commandText());
@@ -63,10 +70,7 @@ int run(const TeCommandLine& commandLine, const TeStaticOptions& options) {
   report.addTime("open", opening.seconds());
 
   const Stopwatch building;
-  TeProgressLine progress("Making terrain", common.quiet);
-  const TeResult<TeStaticBlock> block =
-      TeStaticBlock::build(made->world, made->centre, options.block,
-                           [&](int done, int total) { progress.update(double(done) / total); });
+  const TeResult<TeStaticBlock> block = makeTerrain(*made, options.block, common.quiet);
   if (!block)
     return teExitWith(TeExitUsage, kName, block.error().message);
   report.addTime("terrain", building.seconds());
