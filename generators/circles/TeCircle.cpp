@@ -1,15 +1,13 @@
 #include "generators/circles/TeCircle.h"
 
-#include <cmath>
-
 namespace {
 
 float inverseSquare(double radius) { return float(1.0 / (radius * radius)); }
 
 inline float hill(float dx, float dy, float scale, float height) {
-  const float q = (dx * dx + dy * dy) * scale;
-  const float rest = 1.0f - q;
-  const float t = 0.5f * (rest + std::fabs(rest)); // the positive part, exact, without a branch
+  const float square = (dx * dx + dy * dy) * scale;
+  const float q = square < 1.0f ? square : 1.0f; // farther out g would overflow, and 0 times infinity is no 0
+  const float t = 1.0f - q;
   const float g =
       1.0f + q * (-0.467396855f + q * (0.0945197507f + q * (-0.0110260951f + q * 0.000753640876f)));
   return (t * t) * (g * height);

@@ -78,6 +78,22 @@ TEST(TeCircles, ScatteredSamplesHaveTheBitsOfTheMap) {
   }
 }
 
+// In a wide map most samples lie hundreds of thousands of radii from most circles.
+TEST(TeCircles, SamplesFarFromACircleHaveTheBitsOfTheMapToo) {
+  const Source source = make(100);
+  const TeMapRequest request = mapOf(2000000, 1, {}, 20);
+  const TeHeightMap map = *source->generate(request);
+  for (int column : {0, 999999, 1999999}) {
+    const TeMapSample sample{column, 0};
+    float height = -1;
+    ASSERT_TRUE(source->evaluate(request, &sample, 1, &height));
+    EXPECT_EQ(height, map.at(column, 0)) << column;
+  }
+  TeCircle circle;
+  circle.height = 10;
+  EXPECT_EQ(circle.at(std::int64_t(1) << 30, -(std::int64_t(1) << 30)), 0.0f);
+}
+
 TEST(TeCircles, AHillIsACosineOverItsCircle) {
   const double pi = std::acos(-1.0);
   for (double radius : {1.0, 7.3, 16384.0}) {
