@@ -33,7 +33,7 @@ bool TeAllowance::exhausted() const {
   case Kind::Units:
     return m_spent >= m_limit;
   case Kind::Time:
-    return m_clock() >= m_deadline;
+    return !(m_clock() < m_deadline); // so that NaN is no licence to go on for ever
   case Kind::Unlimited:
     break;
   }

@@ -14,7 +14,7 @@ public:
 
   static TeAllowance unlimited() { return TeAllowance(Kind::Unlimited); }
   static TeAllowance units(std::int64_t count);
-  static TeAllowance seconds(double seconds);
+  static TeAllowance seconds(double seconds); ///< NaN, like 0, allows one unit
   static TeAllowance seconds(double seconds, Clock clock);
 
   /// Accounts for finished units; true while more may be done.

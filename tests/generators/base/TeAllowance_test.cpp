@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace {
 
 int unitsDone(TeAllowance allowance, int most = 1000) {
@@ -28,6 +30,7 @@ TEST(TeAllowance, StopsByTheInjectedClock) {
   EXPECT_EQ(unitsDone(TeAllowance::seconds(1.0, clock)), 4);
   EXPECT_EQ(unitsDone(TeAllowance::seconds(0.0, clock)), 1);
   EXPECT_EQ(unitsDone(TeAllowance::seconds(-1.0, clock)), 1);
+  EXPECT_EQ(unitsDone(TeAllowance::seconds(double(NAN), clock)), 1);
 }
 
 TEST(TeAllowance, SaysWhatWasSpentAndWhetherMoreMayBe) {
