@@ -15,7 +15,7 @@ TeMidpointDisplacement::TeMidpointDisplacement(TeMidpointParameters parameters)
       m_fingerprint(teHashParameters(m_parameters.table(), teHashText("midpoint"))) {}
 
 TeStatus TeMidpointDisplacement::accepts(int columns, int rows) const {
-  const int cells = columns - 1;
+  const std::int64_t cells = std::int64_t(columns) - 1;
   if (columns == rows && cells > 0 && (cells & (cells - 1)) == 0)
     return {};
   std::int64_t next = 1;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 namespace {
 
@@ -96,6 +97,8 @@ TEST(TeMidpointDisplacement, OtherSizesAreAnErrorThatNamesTheNextOne) {
       EXPECT_FALSE(source->accepts(side, side)) << side;
     }
   EXPECT_FALSE(source->accepts(65, 33));
+  for (int side : {std::numeric_limits<int>::min(), -1, std::numeric_limits<int>::max()})
+    EXPECT_FALSE(source->accepts(side, side)) << side;
   EXPECT_NE(source->accepts(67, 67).error().message.find("129x129"), std::string::npos);
   EXPECT_FALSE(source->generate(*TeMapRequest::standalone(65, 33, 1.0, 7)));
 }
