@@ -21,12 +21,13 @@ std::uint64_t bytesOf(std::uint64_t type) {
   return type < std::size(bytes) ? bytes[type] : 0;
 }
 
-std::uint64_t padded(std::uint64_t bytes) { return bytes + (4 - bytes % 4) % 4; }
-
-/// The product, or the largest number if it is larger.
+/// Sum and product, or the largest number if they are larger.
+std::uint64_t sum(std::uint64_t a, std::uint64_t b) { return a > UINT64_MAX - b ? UINT64_MAX : a + b; }
 std::uint64_t product(std::uint64_t a, std::uint64_t b) {
   return b != 0 && a > UINT64_MAX / b ? UINT64_MAX : a * b;
 }
+
+std::uint64_t padded(std::uint64_t bytes) { return sum(bytes, (4 - bytes % 4) % 4); }
 
 struct Variable {
   std::uint64_t bytes = 0; ///< of one record, if it has records
@@ -61,7 +62,7 @@ public:
     std::uint64_t recordVariables = 0;
     for (const Variable& v : m_variables)
       if (v.record) {
-        recordBytes += padded(v.bytes);
+        recordBytes = sum(recordBytes, padded(v.bytes));
         ++recordVariables;
       }
     std::uint64_t end = m_at;
@@ -70,10 +71,9 @@ public:
       if (v.record) {
         const std::uint64_t step = recordVariables == 1 ? v.bytes : recordBytes;
         const bool unknown = m_records == (m_version == 5 ? UINT64_MAX : 0xFFFFFFFFu);
-        bytes = m_records == 0 || unknown ? 0 : product(step, m_records - 1) + v.bytes;
+        bytes = m_records == 0 || unknown ? 0 : sum(product(step, m_records - 1), v.bytes);
       }
-      const std::uint64_t last = v.begin + bytes;
-      end = std::max(end, last < v.begin ? UINT64_MAX : last);
+      end = std::max(end, sum(v.begin, bytes));
     }
     return end;
   }
