@@ -3,6 +3,7 @@
 #include "generators/TeHeightMap.h"
 
 #include <algorithm>
+#include <cmath>
 
 TeStatus TeElevationReader::tileOf(int column, int row, const TeElevationTile*& tile) {
   const int across = column >> m_sideBits;
@@ -28,6 +29,10 @@ TeStatus TeElevationReader::post(int column, int row, float& height) {
 }
 
 TeStatus TeElevationReader::height(TePlanePoint posts, float& height) {
+  if (std::isnan(posts.x) || std::isnan(posts.y)) {
+    height = TeHeightMap::missing();
+    return {};
+  }
   const double u = std::clamp(posts.x, 0.0, double(m_file->columns() - 1));
   const double v = std::clamp(posts.y, 0.0, double(m_file->rows() - 1));
   const int column = int(u);

@@ -18,8 +18,8 @@ public:
   /// Tiles taken from the file so far, from its cache or by reading.
   std::int64_t tilesTaken() const { return m_tilesTaken; }
 
-  /// Height at post coordinates; those outside the terrain are taken to its edge. Error: the file cannot be
-  /// read there.
+  /// Height at post coordinates; those outside the terrain are taken to its edge, at NaN there is none.
+  /// Error: the file cannot be read there.
   TeStatus height(TePlanePoint posts, float& height);
   /// Height of an existing post.
   TeStatus post(int column, int row, float& height);
