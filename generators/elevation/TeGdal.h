@@ -13,9 +13,10 @@ public:
   virtual ~TeGdal() = default;
 
   /// Opens a plain file for reading with one of GDAL's drivers and no other. `variable` names a netCDF
-  /// variable; empty = the only one. Error: not of that format, damaged, or of hostile proportions.
+  /// variable; empty = the only one. What the file says of samples is taken from `band`, at least 1; from the
+  /// first one if there is no such band. Error: not of that format, damaged, or of hostile proportions.
   virtual TeResult<std::unique_ptr<TeRasterFile>> open(const std::string& path, const std::string& driver,
-                                                       const std::string& variable) const = 0;
+                                                       const std::string& variable, int band) const = 0;
 
   /// Fills missing samples (NaN) from the nearest ones in four directions up to `distance` samples away,
   /// by inverse distance (GDALFillNodata without smoothing). What is farther stays missing.

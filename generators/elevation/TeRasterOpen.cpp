@@ -31,7 +31,8 @@ TeResult<std::unique_ptr<TeRasterFile>> openWithGdal(const std::string& path,
   const TeResult<const TeGdal*> gdal = TeGdal::module();
   if (!gdal)
     return TeError{path + ": " + gdal.error().message};
-  TeResult<std::unique_ptr<TeRasterFile>> raster = (*gdal)->open(path, *format, options.variable);
+  TeResult<std::unique_ptr<TeRasterFile>> raster =
+      (*gdal)->open(path, *format, options.variable, options.band);
   if (raster && *format == "AAIGrid")
     if (TeStatus ok = checkTextSize(path, (*raster)->info()); !ok)
       return ok.error();

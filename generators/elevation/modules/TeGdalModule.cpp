@@ -48,10 +48,10 @@ public:
   }
 
   TeResult<std::unique_ptr<TeRasterFile>> open(const std::string& path, const std::string& driver,
-                                               const std::string& variable) const override {
+                                               const std::string& variable, int band) const override {
     // GDAL's own code may throw on what a hostile file makes it ask for.
     try {
-      return TeGdalRasterFile::open(path, driver, variable);
+      return TeGdalRasterFile::open(path, driver, variable, band);
     } catch (const std::exception& e) {
       return TeError{path + ": GDAL gave up: " + e.what()};
     }

@@ -38,8 +38,9 @@ std::string subdatasets(GDALDataset& dataset) {
 
 } // namespace
 
-TeResult<std::unique_ptr<TeRasterFile>>
-TeGdalRasterFile::open(const std::string& path, const std::string& driver, const std::string& variable) {
+TeResult<std::unique_ptr<TeRasterFile>> TeGdalRasterFile::open(const std::string& path,
+                                                               const std::string& driver,
+                                                               const std::string& variable, int band) {
   const TeGdalErrors errors;
   const char* const drivers[] = {driver.c_str(), nullptr};
   std::string name = path;
@@ -62,25 +63,25 @@ TeGdalRasterFile::open(const std::string& path, const std::string& driver, const
     return TeError{path + (names.empty() ? ": holds no raster" : ": name one of its variables: " + names)};
   }
   file->m_info.format = driver;
-  if (TeStatus ok = file->describe(); !ok)
+  if (TeStatus ok = file->describe(band); !ok)
     return TeError{path + ": " + ok.error().message};
   return std::unique_ptr<TeRasterFile>(std::move(file));
 }
 
-TeStatus TeGdalRasterFile::describe() {
+TeStatus TeGdalRasterFile::describe(int number) {
   m_info.columns = m_dataset->GetRasterXSize();
   m_info.rows = m_dataset->GetRasterYSize();
   m_info.bands = m_dataset->GetRasterCount();
   if (m_info.columns < 1 || m_info.rows < 1)
     return TeError{"a raster without posts"};
-  if (TeStatus ok = checkBlocks(); !ok)
+  GDALRasterBand& band = *m_dataset->GetRasterBand(number <= m_info.bands ? number : 1);
+  if (TeStatus ok = checkBlocks(band); !ok)
     return ok;
 
   m_info.hasTransform = m_dataset->GetGeoTransform(m_info.transform.data()) == CE_None;
   const char* registration = m_dataset->GetMetadataItem(GDALMD_AREA_OR_POINT);
   m_info.pixelIsPoint = registration && EQUAL(registration, GDALMD_AOP_POINT);
 
-  GDALRasterBand& band = *m_dataset->GetRasterBand(1);
   const GDALDataType type = band.GetRasterDataType();
   if (GDALDataTypeIsComplex(type))
     return TeError{"complex samples are no heights"};
@@ -101,8 +102,7 @@ TeStatus TeGdalRasterFile::describe() {
 }
 
 // GDAL decodes whole blocks, and a file may claim blocks of any size.
-TeStatus TeGdalRasterFile::checkBlocks() const {
-  GDALRasterBand& band = *m_dataset->GetRasterBand(1);
+TeStatus TeGdalRasterFile::checkBlocks(GDALRasterBand& band) const {
   int columns = 0;
   int rows = 0;
   band.GetBlockSize(&columns, &rows);

@@ -14,14 +14,14 @@ public:
   static constexpr std::int64_t kMaxBlockBytes = std::int64_t(128) << 20;
 
   static TeResult<std::unique_ptr<TeRasterFile>> open(const std::string& path, const std::string& driver,
-                                                      const std::string& variable);
+                                                      const std::string& variable, int band);
 
   TeStatus read(int band, TeRasterWindow window, double* samples) override;
   std::shared_ptr<const TeMapProjection> projection() const override { return m_projection; }
 
 private:
-  TeStatus describe();
-  TeStatus checkBlocks() const;
+  TeStatus describe(int number);
+  TeStatus checkBlocks(GDALRasterBand& band) const;
   void describeSystem();
 
   GDALDatasetUniquePtr m_dataset;

@@ -171,6 +171,27 @@ TEST_F(ElevationFile, HonoursUnits) {
   EXPECT_TRUE(open(path, degrees)->frame().isGeographic());
 }
 
+// Bands of one file may differ in what their samples mean.
+TEST_F(ElevationFile, TakesScaleUnitAndNoDataOfTheBandItReads) {
+  const std::string path = folder.write("bands.png", teTerrarium(ramp)); // the second byte of 32768 + height
+  folder.write("bands.png.aux.xml",
+               "<PAMDataset>"
+               "<PAMRasterBand band=\"1\"><NoDataValue>101</NoDataValue><UnitType>km</UnitType>"
+               "<Offset>3</Offset><Scale>7</Scale></PAMRasterBand>"
+               "<PAMRasterBand band=\"2\"><NoDataValue>100</NoDataValue><UnitType>ft</UnitType>"
+               "<Offset>10</Offset><Scale>0.5</Scale></PAMRasterBand>"
+               "</PAMDataset>");
+  TeElevationOptions options;
+  options.band = 2;
+  const TeElevationFilePtr file = open(path, options);
+  ASSERT_TRUE(file);
+  EXPECT_EQ(file->verticalUnit(), 0.3048);
+  EXPECT_TRUE(TeHeightMap::isMissing(*file->post(0, 0)));
+  EXPECT_EQ(*file->post(1, 0), float((101 * 0.5 + 10) * 0.3048));
+  options.band = 4;
+  EXPECT_FALSE(TeElevationFile::open(path, options));
+}
+
 TEST_F(ElevationFile, UnitNamesAreKnownInEveryCase) {
   EXPECT_EQ(*teVerticalUnit("Metre"), 1);
   EXPECT_EQ(*teVerticalUnit("FT"), 0.3048);
