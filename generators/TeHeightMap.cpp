@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
+#include <new>
 #include <string>
 
 namespace {
@@ -91,7 +92,12 @@ TeResult<TeHeightMap> TeHeightMap::create(int width, int height) {
   TeHeightMap map;
   map.m_width = width;
   map.m_height = height;
-  map.m_samples.assign(std::size_t(width) * std::size_t(height), 0.0f);
+  try {
+    map.m_samples.assign(std::size_t(width) * std::size_t(height), 0.0f);
+  } catch (const std::bad_alloc&) {
+    return TeError{"map size " + std::to_string(width) + "x" + std::to_string(height) +
+                   ": not enough memory"};
+  }
   return map;
 }
 
@@ -127,15 +133,13 @@ TeStatus TeHeightMap::addScaled(const TeHeightMap& source, float factor, TeMapRe
 }
 
 TeStatus TeHeightMap::minimum(const TeHeightMap& source, TeMapRect from, TeMapRect to) {
-  return combine(source, from, *this, to, [](float d, float s) {
-    return isMissing(d) || isMissing(s) ? missing() : std::min(d, s);
-  });
+  return combine(source, from, *this, to,
+                 [](float d, float s) { return isMissing(d) || isMissing(s) ? missing() : std::min(d, s); });
 }
 
 TeStatus TeHeightMap::maximum(const TeHeightMap& source, TeMapRect from, TeMapRect to) {
-  return combine(source, from, *this, to, [](float d, float s) {
-    return isMissing(d) || isMissing(s) ? missing() : std::max(d, s);
-  });
+  return combine(source, from, *this, to,
+                 [](float d, float s) { return isMissing(d) || isMissing(s) ? missing() : std::max(d, s); });
 }
 
 TeStatus TeHeightMap::fill(float height, TeMapRect to) {

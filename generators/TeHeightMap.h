@@ -39,7 +39,7 @@ public:
   static constexpr std::int64_t kMaxSamples = std::int64_t(1) << 28; ///< 1 GiB
 
   TeHeightMap() = default; ///< empty, 0×0
-  /// All samples zero. Error unless both sides are positive and the area is at most kMaxSamples.
+  /// All samples zero. Error: a side that is not positive, an area over kMaxSamples, not enough memory.
   static TeResult<TeHeightMap> create(int width, int height);
 
   int width() const { return m_width; }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <vector>
 
 TeMapRequest TeMapRequest::sourceMap(const TeLattice& lattice, std::uint64_t worldSeed, TeMapKey key) {
@@ -41,9 +42,13 @@ TeProgress TeHeightJob::step(TeAllowance& allowance) {
   if (m_progress != TeProgress::Working)
     return m_progress;
   const TeFloatEnvironment environment;
-  do {
-    m_progress = unit();
-  } while (allowance.spend() && m_progress == TeProgress::Working);
+  try {
+    do {
+      m_progress = unit();
+    } while (allowance.spend() && m_progress == TeProgress::Working);
+  } catch (const std::bad_alloc&) {
+    m_progress = fail(TeError{"not enough memory to make the map"});
+  }
   return m_progress;
 }
 

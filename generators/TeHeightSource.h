@@ -56,7 +56,7 @@ public:
   TeProgress finish();
 
   TeProgress progress() const { return m_progress; }
-  /// Why it failed; only after Failed.
+  /// Why it failed, be it for want of memory; only after Failed.
   const TeError& error() const { return m_error; }
   /// Moves the finished map out; only after Done, once. columns × rows samples.
   TeHeightMap takeMap();

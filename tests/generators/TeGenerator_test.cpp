@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <new>
 
 namespace {
 
@@ -19,6 +20,16 @@ TeMapRequest sized(int columns, int rows) {
   request.rows = rows;
   return request;
 }
+
+/// A source that needs more memory than there is.
+class Greedy final : public TePointSource {
+public:
+  std::string name() const override { return "greedy"; }
+  std::uint64_t fingerprint() const override { return 1; }
+  TeStatus evaluate(const TeMapRequest&, const TeMapSample*, std::size_t, float*) const override {
+    throw std::bad_alloc();
+  }
+};
 
 } // namespace
 
@@ -119,4 +130,14 @@ TEST(TeGenerator, AChainIsOneGeneratorWithAllParameters) {
   static_cast<TeBandFilter&>(chain.filter(0)).passes = -1;
   EXPECT_FALSE(chain.updateParams().ok());
   EXPECT_EQ(chain.source()->fingerprint(), same->fingerprint());
+}
+
+TEST(TeHeightJob, FailsWhenMemoryRunsOut) {
+  const auto source = std::make_shared<Greedy>();
+  const TeResult<TeHeightMap> map = source->generate(request(20));
+  ASSERT_FALSE(map);
+  EXPECT_NE(map.error().message.find("memory"), std::string::npos) << map.error().message;
+  // Also where it is the input of another job.
+  TeBandFilter filter;
+  EXPECT_FALSE((*filter.apply(source))->generate(request(20)));
 }

@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <cfloat>
 #include <cmath>
 #include <cstring>
@@ -190,3 +193,18 @@ TEST(TeHeightMap, EqualityIsBitForBit) {
   EXPECT_TRUE(ramp(2, 8) != ramp(8, 2));
   EXPECT_TRUE(TeHeightMap() == TeHeightMap());
 }
+
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__) // which take address space of their own
+TEST(TeHeightMapDeathTest, NotEnoughMemoryIsAnError) {
+  const auto inLittleMemory = [] {
+    const rlimit limit{rlim_t(1) << 30, rlim_t(1) << 30};
+    ::setrlimit(RLIMIT_AS, &limit);
+    const TeResult<TeHeightMap> map = TeHeightMap::create(16384, 16384);
+    const TeHeightMap small = TeHeightMap::create(16, 16).value();
+    const bool right = !map && map.error().message == "map size 16384x16384: not enough memory";
+    ::_exit(right && small.width() == 16 ? 0
+                                         : 1); // without destructors, which would remove files of the tests
+  };
+  EXPECT_EXIT(inLittleMemory(), testing::ExitedWithCode(0), "");
+}
+#endif
