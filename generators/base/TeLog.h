@@ -10,7 +10,7 @@ public:
   using Sink = std::function<void(Level, const std::string&)>;
 
   /// Replaces the sink; an empty one silences the log. Thread-safe; a sink may be called from any thread,
-  /// one call at a time.
+  /// one call at a time, and must not use the log itself.
   static void setSink(Sink sink);
 
   static void write(Level level, const std::string& message);

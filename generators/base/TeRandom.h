@@ -18,7 +18,7 @@ public:
   std::uint64_t next() { return at(m_counter++); }
   /// Uniform in [0, 1), a multiple of 2^-53.
   double uniform() { return double(next() >> 11) * 0x1p-53; }
-  /// Uniform in [low, high).
+  /// Uniform in [low, high); high itself only by rounding, where few doubles lie between the two.
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// Uniform in 0 .. bound-1; bound ≥ 1. The bias is below bound·2^-64.
   std::uint64_t below(std::uint64_t bound);

@@ -9,7 +9,7 @@
 namespace {
 
 constexpr int kBlock = 64;
-/// Each level of nesting can leave a sum, a product and a power unfinished.
+/// Each level of nesting can leave a sum, a product and a first argument (or a power) unfinished.
 constexpr int kStack = 3 * TeExpression::kDeepest + 1;
 
 /// The smaller one; NaN if either is.
