@@ -14,14 +14,14 @@
 struct TeMapRequest {
   int columns = 0;
   int rows = 0;
-  double spacing = 1; ///< metres between samples, in both directions
+  double spacing = 1;      ///< metres between samples, in both directions
   std::int64_t firstX = 0; ///< global number of column 0
   std::int64_t firstY = 0; ///< global number of row 0
   int originHalfCells = 0; ///< the world's origin lies this many half cells from global sample 0
   std::uint64_t worldSeed = 0;
   TeMapKey key;
 
-  /// Source map `key` of an endless world: W×W samples.
+  /// Source map `key` (within ±TeLattice::kMaxKey) of an endless world: W×W samples.
   static TeMapRequest sourceMap(const TeLattice& lattice, std::uint64_t worldSeed, TeMapKey key);
   /// A map by itself, of any size, its south-west sample at the world's origin. Error: sides not positive, an
   /// area over TeHeightMap::kMaxSamples, a spacing that is not finite and positive.

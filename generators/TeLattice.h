@@ -30,17 +30,17 @@ public:
   /// Error for even or out-of-range W and for a spacing that is not finite and positive.
   static TeResult<TeLattice> create(int samples, double spacing);
 
-  int samples() const { return m_samples; }               ///< W
-  int cells() const { return (m_samples - 1) / 2; }       ///< n
-  double spacing() const { return m_spacing; }            ///< s, metres
+  int samples() const { return m_samples; }                ///< W
+  int cells() const { return (m_samples - 1) / 2; }        ///< n
+  double spacing() const { return m_spacing; }             ///< s, metres
   double patchSide() const { return cells() * m_spacing; } ///< P, metres
 
   /// Global number of a map's first column (key.x) or row (key.y).
   std::int64_t mapFirstSample(std::int64_t key) const { return (key - 1) * cells(); }
   /// World coordinate of a global sample, metres.
   double position(std::int64_t sample) const;
-  /// Exact inverse of position() for the sample at or west/south of a coordinate; fraction in [0, 1).
-  /// The coordinate must be finite and within the range of keys.
+  /// The sample at or west/south of a coordinate (finite, in the range of keys); fraction in [0, 1). Exact
+  /// inverse of position() for samples up to ±2^52; farther out samples share positions: one close by.
   std::int64_t sampleBelow(double position, double& fraction) const;
 
   friend bool operator==(const TeLattice& a, const TeLattice& b) {

@@ -1,5 +1,7 @@
 #include "generators/TeLattice.h"
 
+#include "generators/base/TeRandom.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,5 +36,19 @@ TEST(TeLattice, SampleBelowInvertsPosition) {
       EXPECT_EQ(lattice.sampleBelow(before, fraction), sample - 1);
       EXPECT_LT(fraction, 1.0);
     }
+  }
+}
+
+TEST(TeLattice, SampleBelowIsExactAsFarAsDoublesTellSamplesApart) {
+  TeRandom random(4, 4, {});
+  constexpr std::int64_t kFarthest = std::int64_t(1) << 52;
+  for (int i = 0; i < 20000; ++i) {
+    const int samples = 5 + 2 * int(random.below(8190));
+    const TeLattice lattice = *TeLattice::create(samples, random.uniform(1e-3, 1000));
+    const std::int64_t size = kFarthest >> random.below(50);
+    const std::int64_t sample = size - std::int64_t(random.below(std::uint64_t(2 * size)));
+    double fraction = -1;
+    ASSERT_EQ(lattice.sampleBelow(lattice.position(sample), fraction), sample) << samples;
+    ASSERT_EQ(fraction, 0.0);
   }
 }
