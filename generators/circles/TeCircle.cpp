@@ -1,12 +1,24 @@
 #include "generators/circles/TeCircle.h"
 
+#include <cstring>
+
 namespace {
 
 float inverseSquare(double radius) { return float(1.0 / (radius * radius)); }
 
+/// The smaller of a number that is not negative and 1; in whole numbers, which become vectors without a
+/// branch.
+inline float atMostOne(float number) {
+  constexpr std::int32_t kOne = 0x3F800000;
+  std::int32_t bits;
+  std::memcpy(&bits, &number, sizeof bits);
+  bits = bits < kOne ? bits : kOne;
+  std::memcpy(&number, &bits, sizeof bits);
+  return number;
+}
+
 inline float hill(float dx, float dy, float scale, float height) {
-  const float square = (dx * dx + dy * dy) * scale;
-  const float q = square < 1.0f ? square : 1.0f; // farther out g would overflow, and 0 times infinity is no 0
+  const float q = atMostOne((dx * dx + dy * dy) * scale); // farther out g would overflow
   const float t = 1.0f - q;
   const float g =
       1.0f + q * (-0.467396855f + q * (0.0945197507f + q * (-0.0110260951f + q * 0.000753640876f)));
