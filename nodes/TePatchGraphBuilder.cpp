@@ -8,13 +8,17 @@
 #include <Inventor/nodes/SoPackedColor.h>
 #include <Inventor/nodes/SoTextureCoordinate2.h>
 
+#include <algorithm>
 #include <cassert>
 #include <cmath>
 
 namespace {
 
 std::uint32_t packed(const glm::vec3& colour) {
-  const auto part = [](float value) { return std::uint32_t(std::lround(255 * value)); };
+  // Written so that a NaN is 0.
+  const auto part = [](float value) {
+    return std::uint32_t(std::lround(255 * (value > 0 ? std::min(value, 1.0f) : 0.0f)));
+  };
   return part(colour.r) << 24 | part(colour.g) << 16 | part(colour.b) << 8 | 0xFF;
 }
 

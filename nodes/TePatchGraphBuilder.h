@@ -37,7 +37,7 @@ public:
   /// The point of the world that is the scene's (0, 0, 0); the anchor at first. Moves pieces made before,
   /// too.
   void setWorldOrigin(glm::dvec3 origin);
-  /// Colours by height and slope for pieces made from now on.
+  /// Colours by height and slope for pieces made from now on; limited to 0 .. 1.
   void setColours(const TeSurfaceColours& colours) { m_colours = colours; }
   /// Patches, seams and corners each in one colour of their own instead.
   void setShowParts(bool show) { m_showParts = show; }

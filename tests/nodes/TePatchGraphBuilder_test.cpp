@@ -14,6 +14,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -116,6 +117,19 @@ TEST(TePatchGraphBuilder, FailingWritesNameTheFile) {
     ASSERT_FALSE(status) << path;
     EXPECT_NE(status.error().message.find(path), std::string::npos) << status.error().message;
   }
+}
+
+TEST(TePatchGraphBuilder, ColoursOutOfRangeAreLimited) {
+  const TeLattice grid = lattice(9, 1);
+  TePatchGraphBuilder builder({0, 0});
+  TeSurfaceColours colours;
+  colours.grass = {2.0f, -1.0f, std::nanf("")};
+  builder.setColours(colours);
+  const auto piece = builder.build(gridMesh(grid, 0, 0, 3, 3, [](double, double) { return -100.0f; }));
+  const SoMFUInt32& packed = find<SoPackedColor>(piece.get())->orderedRGBA;
+  ASSERT_EQ(packed.getNum(), 9);
+  for (int i = 0; i < 9; i++)
+    EXPECT_EQ(packed[i], 0xFF0000FFu);
 }
 
 TEST(TePatchGraphBuilder, PartsHaveColoursOfTheirOwn) {
