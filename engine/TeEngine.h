@@ -66,7 +66,8 @@ public:
   TePatch* getPatch(const SbVec2d& point);
   TePatch* getPatch(const TePatchKey& key);
 
-  /// All known terrain, for queries: heights, normals, rays. NULL if not valid.
+  /// All known terrain, for queries: heights, normals, rays. NULL if not valid. setSeed() and setBlending()
+  /// make a new one.
   const TePatchDatabase* getDatabase() const { return m_database.get(); }
 
 private:

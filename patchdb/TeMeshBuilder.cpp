@@ -30,9 +30,7 @@ void addStrips(const TeMeshBlock& block, TePatchMesh& mesh) {
     for (int x = 0; x + 1 < block.columns; ++x) {
       const std::int32_t south = y * block.columns + x;
       const std::int32_t north = south + block.columns;
-      const bool hole =
-          block.missing && (missing(x, y) || missing(x + 1, y) || missing(x, y + 1) || missing(x + 1, y + 1));
-      if (hole) {
+      if (missing(x, y) || missing(x + 1, y) || missing(x, y + 1) || missing(x + 1, y + 1)) {
         if (open)
           mesh.strips.push_back(-1);
         open = false;

@@ -13,7 +13,9 @@
 /// have. What is drawn is drawnRect().
 class TeStaticBlock {
 public:
-  static constexpr std::int64_t kMaxSamples = std::int64_t(1) << 25; ///< of heights, about 0.5 GB in all
+  /// Heights of 128 MiB. Source maps that have to be blended take four times as much memory for a block of
+  /// many patches, sixteen times for a single patch.
+  static constexpr std::int64_t kMaxSamples = std::int64_t(1) << 25;
 
   /// Called with the number of patches that are done.
   using Progress = std::function<void(int done, int total)>;
