@@ -19,7 +19,6 @@ public:
   TeParameters parameters() override;
 
   TeGenerator& generator() { return *m_generator; }
-  std::size_t filterCount() const { return m_filters.size(); }
   TeFilter& filter(std::size_t index) { return *m_filters[index]; }
 
 protected:

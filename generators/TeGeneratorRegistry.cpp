@@ -96,7 +96,12 @@ std::string TeGeneratorRegistry::helpText() const {
   for (const Entry& entry : entries()) {
     std::string& text = entry.generator ? generators : filters;
     text += "  " + entry.name + "  " + entry.help + "\n";
-    text += parametersHelp(entry.generator ? entry.generator()->parameters() : entry.filter()->parameters());
+    if (entry.generator) {
+      if (const std::unique_ptr<TeGenerator> made = entry.generator())
+        text += parametersHelp(made->parameters());
+    } else if (const std::unique_ptr<TeFilter> made = entry.filter()) {
+      text += parametersHelp(made->parameters());
+    }
   }
   return generators + filters;
 }
@@ -109,6 +114,8 @@ TeResult<std::unique_ptr<TeGenerator>> TeGeneratorRegistry::generator(std::strin
     if (entry.name != parsed->name || !entry.generator)
       continue;
     std::unique_ptr<TeGenerator> made = entry.generator();
+    if (!made)
+      return TeError{"generator " + teQuoted(parsed->name) + ": its factory made none"};
     if (TeStatus ok = setAll(made->parameters(), *parsed); !ok)
       return ok.error();
     return made;
@@ -125,6 +132,8 @@ TeResult<std::unique_ptr<TeFilter>> TeGeneratorRegistry::filter(std::string_view
     if (entry.name != parsed->name || !entry.filter)
       continue;
     std::unique_ptr<TeFilter> made = entry.filter();
+    if (!made)
+      return TeError{"filter " + teQuoted(parsed->name) + ": its factory made none"};
     if (TeStatus ok = setAll(made->parameters(), *parsed); !ok)
       return ok.error();
     return made;

@@ -11,10 +11,11 @@ TeFloatEnvironment::TeFloatEnvironment() : m_saved(_mm_getcsr()) { _mm_setcsr(kD
 TeFloatEnvironment::~TeFloatEnvironment() { _mm_setcsr(m_saved); }
 
 #else
-#include <cfenv>
 
-TeFloatEnvironment::TeFloatEnvironment() : m_saved(unsigned(std::fegetround())) {
-  std::fesetround(FE_TONEAREST);
+TeFloatEnvironment::TeFloatEnvironment() {
+  std::feholdexcept(&m_saved);
+  std::fesetenv(FE_DFL_ENV);
 }
-TeFloatEnvironment::~TeFloatEnvironment() { std::fesetround(int(m_saved)); }
+TeFloatEnvironment::~TeFloatEnvironment() { std::fesetenv(&m_saved); }
+
 #endif

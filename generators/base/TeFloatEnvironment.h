@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cfenv>
+
 /// Sets the floating-point state on which bit-equality rests for the life of the object: round to nearest,
 /// denormals kept (FTZ and DAZ off), exceptions masked; restores the caller's state afterwards. Every slice
 /// of a job opens one, so a host that changed the state (as some audio and plug-in hosts do) changes no bit
@@ -12,5 +14,9 @@ public:
   TeFloatEnvironment& operator=(const TeFloatEnvironment&) = delete;
 
 private:
+#if defined(__SSE2__)
   unsigned m_saved;
+#else
+  std::fenv_t m_saved;
+#endif
 };

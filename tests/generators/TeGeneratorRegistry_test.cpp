@@ -113,6 +113,15 @@ TEST(TeGeneratorRegistry, ProgramsAddTheirOwn) {
   EXPECT_FALSE(own.addGenerator("empty", "", nullptr).ok());
 }
 
+TEST(TeGeneratorRegistry, FactoriesThatMakeNothingAreAnError) {
+  TeGeneratorRegistry registry;
+  ASSERT_TRUE(registry.addGenerator("empty", "makes none", [] { return std::unique_ptr<TeGenerator>(); }));
+  ASSERT_TRUE(registry.addFilter("void", "makes none", [] { return std::unique_ptr<TeFilter>(); }));
+  EXPECT_FALSE(registry.generator("empty"));
+  EXPECT_FALSE(registry.filter("void"));
+  EXPECT_NE(registry.helpText().find("makes none"), std::string::npos);
+}
+
 TEST(TeGeneratorRegistry, HelpListsEverythingWithItsRange) {
   const std::string help = registry().helpText();
   for (const std::string& name : registry().generatorNames())
