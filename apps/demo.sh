@@ -9,7 +9,10 @@ cmake --build --preset release -j "$(nproc)" --target terrane-static
 static=$PWD/build/release/bin/terrane-static
 
 if [ -n "${DISPLAY:-}" ]; then
-  exec "$static" "$@"
+  status=0
+  "$static" "$@" || status=$?
+  # 1: the window could not be opened, so there is no display after all.
+  [ "$status" -eq 1 ] || exit "$status"
 fi
 
 mkdir -p out
