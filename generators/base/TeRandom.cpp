@@ -18,3 +18,8 @@ std::uint64_t TeRandom::below(std::uint64_t bound) {
   __extension__ using Wide = unsigned __int128;
   return std::uint64_t((Wide(next()) * bound) >> 64);
 }
+
+std::int64_t TeRandom::scaled(std::uint32_t bits, std::int64_t bound) {
+  __extension__ using Wide = unsigned __int128;
+  return std::int64_t((Wide(bits) * std::uint64_t(bound)) >> 32);
+}

@@ -22,6 +22,9 @@ public:
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
   /// Uniform in 0 .. bound-1; bound ≥ 1. The bias is below bound·2^-64.
   std::uint64_t below(std::uint64_t bound);
+  /// Uniform in 0 .. bound-1 from 32 random bits; bound ≥ 1. For two or more draws from one number of a
+  /// stream.
+  static std::int64_t scaled(std::uint32_t bits, std::int64_t bound);
 
 private:
   std::uint64_t m_stream;

@@ -15,12 +15,6 @@ constexpr double kMaxRadius = 16384;
 constexpr double kMaxMapInstead = 0x1p20; // samples of a map that evaluate() may make
 constexpr double kMapInstead = 0.1;       // part of its samples from which on that is cheaper
 
-/// Uniform in 0 .. bound-1 from 32 random bits.
-std::int64_t scaled(std::uint32_t random, std::int64_t bound) {
-  __extension__ using Wide = unsigned __int128;
-  return std::int64_t((Wide(random) * std::uint64_t(bound)) >> 32);
-}
-
 } // namespace
 
 TeResult<std::shared_ptr<const TeCircles>> TeCircles::create(TeCirclesParameters parameters) {
@@ -57,9 +51,10 @@ TeCircle TeCircles::circle(const TeMapRequest& request, const TeRandom& random, 
   // In 1/256 of a sample from the outer corner of the margin; sample (0, 0) is at margin + 128.
   const std::int64_t margin = std::int64_t(256 * circle.radius) + 1;
   const std::int64_t x =
-      scaled(std::uint32_t(place), std::int64_t(request.columns) * 256 + 2 * margin) - margin - 128;
+      TeRandom::scaled(std::uint32_t(place), std::int64_t(request.columns) * 256 + 2 * margin) - margin - 128;
   const std::int64_t y =
-      scaled(std::uint32_t(place >> 32), std::int64_t(request.rows) * 256 + 2 * margin) - margin - 128;
+      TeRandom::scaled(std::uint32_t(place >> 32), std::int64_t(request.rows) * 256 + 2 * margin) - margin -
+      128;
   circle.column = x >> 8;
   circle.row = y >> 8;
   circle.eastward = float(x & 255) / 256;

@@ -14,12 +14,6 @@ constexpr double kMinRamp = 1;
 constexpr double kMaxRamp = 4096;
 constexpr double kMaxMapInstead = 0x1p20; // samples of a map that evaluate() may make
 
-/// Uniform in 0 .. bound-1 from 32 random bits.
-std::int64_t scaled(std::uint32_t random, std::int64_t bound) {
-  __extension__ using Wide = unsigned __int128;
-  return std::int64_t((Wide(random) * std::uint64_t(bound)) >> 32);
-}
-
 } // namespace
 
 TeResult<std::shared_ptr<const TeFaultFormation>> TeFaultFormation::create(TeFaultParameters parameters) {
@@ -67,10 +61,10 @@ TeFaultLine TeFaultFormation::line(const TeMapRequest& request, const TeRandom& 
   const std::int64_t width = std::int64_t(request.columns) * 256;
   const std::int64_t height = std::int64_t(request.rows) * 256;
   TeFaultLine line;
-  line.ax = scaled(std::uint32_t(a), width);
-  line.ay = scaled(std::uint32_t(a >> 32), height);
-  line.bx = scaled(std::uint32_t(b), width);
-  line.by = scaled(std::uint32_t(b >> 32), height);
+  line.ax = TeRandom::scaled(std::uint32_t(a), width);
+  line.ay = TeRandom::scaled(std::uint32_t(a >> 32), height);
+  line.bx = TeRandom::scaled(std::uint32_t(b), width);
+  line.by = TeRandom::scaled(std::uint32_t(b >> 32), height);
   if (line.by == line.ay)
     ++line.by;
   return line;

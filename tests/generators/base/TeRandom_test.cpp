@@ -79,3 +79,11 @@ TEST(TeRandom, RangesAreKept) {
     EXPECT_NEAR(count, 10000, 500);
   EXPECT_EQ(random.below(1), 0u);
 }
+
+TEST(TeRandom, ScaledBitsStayBelowTheirBound) {
+  for (std::int64_t bound : {std::int64_t(1), std::int64_t(7), std::int64_t(1) << 40}) {
+    EXPECT_EQ(TeRandom::scaled(0, bound), 0);
+    EXPECT_LT(TeRandom::scaled(0xFFFFFFFFu, bound), bound);
+    EXPECT_EQ(TeRandom::scaled(0x80000000u, bound), bound / 2);
+  }
+}
