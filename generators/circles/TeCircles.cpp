@@ -1,5 +1,6 @@
 #include "generators/circles/TeCircles.h"
 
+#include "generators/TeEvaluateFromMap.h"
 #include "generators/base/TeFloatEnvironment.h"
 #include "generators/base/TeHash.h"
 #include "generators/base/TeText.h"
@@ -12,8 +13,7 @@ namespace {
 
 constexpr double kMinRadius = 1;
 constexpr double kMaxRadius = 16384;
-constexpr double kMaxMapInstead = 0x1p20; // samples of a map that evaluate() may make
-constexpr double kMapInstead = 0.1;       // part of its samples from which on that is cheaper
+constexpr double kMapInstead = 0.1; // part of its samples from which on that is cheaper
 
 } // namespace
 
@@ -65,14 +65,8 @@ TeCircle TeCircles::circle(const TeMapRequest& request, const TeRandom& random, 
 TeStatus TeCircles::evaluate(const TeMapRequest& request, const TeMapSample* samples, std::size_t count,
                              float* heights) const {
   const double area = double(request.columns) * double(request.rows);
-  if (area <= kMaxMapInstead && double(count) > kMapInstead * area) {
-    const TeResult<TeHeightMap> map = generate(request);
-    if (!map)
-      return map.error();
-    for (std::size_t i = 0; i < count; ++i)
-      heights[i] = map->at(samples[i].column, samples[i].row);
-    return {};
-  }
+  if (area <= kTeMaxMapInstead && double(count) > kMapInstead * area)
+    return teEvaluateFromMap(*this, request, samples, count, heights);
   const TeFloatEnvironment environment;
   const TeRandom stream = random(request);
   std::vector<std::int32_t> columns(count);

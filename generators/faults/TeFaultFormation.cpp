@@ -1,5 +1,6 @@
 #include "generators/faults/TeFaultFormation.h"
 
+#include "generators/TeEvaluateFromMap.h"
 #include "generators/base/TeFloatEnvironment.h"
 #include "generators/base/TeHash.h"
 #include "generators/faults/TeFaultJob.h"
@@ -12,7 +13,6 @@ namespace {
 constexpr double kMaxSum = 0x1p24;
 constexpr double kMinRamp = 1;
 constexpr double kMaxRamp = 4096;
-constexpr double kMaxMapInstead = 0x1p20; // samples of a map that evaluate() may make
 
 } // namespace
 
@@ -98,19 +98,13 @@ std::unique_ptr<TeHeightJob> TeFaultFormation::start(const TeMapRequest& request
 bool TeFaultFormation::mapIsCheaper(const TeMapRequest& request, std::size_t count) const {
   const double area = double(request.columns) * double(request.rows);
   const double map = double(faults()) * request.rows * (m_smooth ? 7 : 1) + area;
-  return area <= kMaxMapInstead && double(count) * faults() > map;
+  return area <= kTeMaxMapInstead && double(count) * faults() > map;
 }
 
 TeStatus TeFaultFormation::evaluate(const TeMapRequest& request, const TeMapSample* samples,
                                     std::size_t count, float* heights) const {
-  if (mapIsCheaper(request, count)) {
-    const TeResult<TeHeightMap> map = generate(request);
-    if (!map)
-      return map.error();
-    for (std::size_t i = 0; i < count; ++i)
-      heights[i] = map->at(samples[i].column, samples[i].row);
-    return {};
-  }
+  if (mapIsCheaper(request, count))
+    return teEvaluateFromMap(*this, request, samples, count, heights);
   const TeFloatEnvironment environment;
   const TeRandom stream = random(request);
   std::vector<std::int64_t> sums(count, 0);
