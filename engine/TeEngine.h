@@ -1,6 +1,8 @@
 #pragma once
 
 #include "engine/TePatch.h"
+#include "engine/TeStatistics.h"
+#include "engine/input/TeKeyEvent.h"
 #include "generators/TeGenerator.h"
 #include "nodes/TePatchGraphBuilder.h"
 #include "patchdb/TePatchDatabase.h"
@@ -9,10 +11,19 @@
 #include <Inventor/SbVec2f.h>
 #include <Inventor/SbVec2s.h>
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
+
+class SoGroup;
+class SoOrthographicCamera;
+class SoPerspectiveCamera;
+class TeCameraRig;
+class TeHud;
+class TeJob;
+class TeObject;
 
 /// An endless terrain for an Inventor program, with the calls of document 002.
 ///
@@ -25,8 +36,26 @@
 /// Calls that fail return NULL or FALSE, change nothing, leave one line in lastError() and send it to TeLog.
 /// Ownership: the caller deletes the engine; the engine deletes its patches; graphs are Coin nodes, which
 /// live on in the scenes that hold them. For the thread that makes all Coin calls, after SoDB::init().
+///
+/// Endless terrain in a scene:
+///
+///     engine->setSceneRoot(scene);            // with the camera, lights and what else belongs to the world
+///     engine->setSceneCamera(camera);
+///     engine->setHudRoot(hud);                // optional; drawn after the scene, with a camera of its own
+///     engine->setHudCamera(hudCamera);
+///     engine->setActiveObject(engine->addObject(std::make_unique<TeAircraft>("mine")));
+///     if (!engine->initialize()) ...          // says what is missing
+///     engine->timeTick(dt);                   // before every frame; or a TeEngineLoop does it
 class TeEngine {
 public:
+  /// A patch that came or went.
+  using PatchCallback = std::function<void(const TePatchData& patch, SoGroup* graph)>;
+  using ErrorCallback = std::function<void(const std::string& message)>;
+  /// After all objects were updated; `dt` is the simulated time of the tick.
+  using CollisionHook = std::function<void(double dt)>;
+  /// True if the key meant something to it.
+  using KeyCallback = std::function<bool(const TeKeyEvent& event)>;
+
   /// `samples`: of a source map, both sides equal and odd, 5 .. 16385. `area`: metres that a source map
   /// covers, both sides equal; a patch covers half a side, here 32×32 m. Bad arguments: isValid() is FALSE
   /// and every other call fails.
@@ -69,6 +98,76 @@ public:
   /// All known terrain, for queries: heights, normals, rays. NULL if not valid. setSeed() and setBlending()
   /// make a new one.
   const TePatchDatabase* getDatabase() const { return m_database.get(); }
+
+  // Endless terrain. What is set here has to be set before initialize(), unless it says otherwise.
+
+  /// Where terrain and objects are added, at the end. The engine holds references to all these nodes.
+  void setSceneRoot(SoSeparator* root);
+  void setSceneCamera(SoPerspectiveCamera* camera);
+  void setHudRoot(SoSeparator* root);
+  void setHudCamera(SoOrthographicCamera* camera);
+
+  /// The engine owns the object. At any time. NULL: no object, or a place that is not finite.
+  TeObject* addObject(std::unique_ptr<TeObject> object);
+  /// At any time; the active object only after another one was made active. FALSE: not one of the engine's.
+  SbBool removeObject(TeObject* object);
+  /// The object that the camera follows, that has the keys, and around which terrain is shown. At any time.
+  SbBool setActiveObject(TeObject* object);
+  TeObject* getActiveObject() const;
+
+  /// The block has (2r + 1)² patches; 1 .. kMaxRadius, by default 1. At any time.
+  SbBool setRadius(int radius);
+  /// CPU seconds that a tick may spend, more than 0 and at most 1; kDefaultBudget by default. At any time.
+  SbBool setBudget(double seconds);
+  /// Units of work instead of time, so that runs repeat to the bit; 0 = time. At any time.
+  SbBool setUnitBudget(int units);
+  /// Wanted frames a second: the budget then adapts to what drawing leaves of a frame. 0 = a fixed budget.
+  SbBool setFrameRate(double framesPerSecond);
+  /// Threads that fill plain arrays; 0 by default, at most kMaxWorkers.
+  SbBool setWorkers(int workers);
+
+  /// Checks that everything is there and that it fits together, builds the patch below the active object, and
+  /// fills the scene roots. FALSE: lastError() says all that is missing.
+  SbBool initialize();
+  SbBool isInitialized() const;
+  /// One turn of the loop: events, objects, the collision hook, terrain below each object, slices of
+  /// generation, hand-over to the scene, call-backs, statistics. FALSE, and nothing done: not initialised; dt
+  /// is negative or not finite. Of more than TeObjects::kLongestTick seconds the rest is dropped.
+  SbBool timeTick(double dt);
+  /// Works until nothing is left to be made, whatever the budget, and hands it to the scene.
+  void finishJobs();
+  /// Nothing moves and nothing is to be made: no tick is needed before the next event.
+  bool isIdle() const;
+  /// True if the last tick, or a call since, changed what is seen.
+  bool needsRedraw() const;
+  /// The host says that it has drawn a frame: seconds of the wall clock since the frame before, and of CPU
+  /// time for drawing it.
+  void frameDrawn(double frameSeconds, double drawSeconds);
+
+  /// Queues a key for the next tick.
+  void postKey(const TeKeyEvent& event);
+  /// Gets the keys that neither the active object, the camera nor the engine uses.
+  void setKeyCallback(KeyCallback callback);
+  void setPatchReadyCallback(PatchCallback callback);
+  void setPatchDroppedCallback(PatchCallback callback);
+  void setErrorCallback(ErrorCallback callback);
+  void setCollisionHook(CollisionHook hook);
+  /// Work of the program's own, of kind TeJobKind::Other. The engine owns it.
+  void addJob(std::unique_ptr<TeJob> job);
+
+  SbBool setPaused(SbBool paused);
+  SbBool isPaused() const;
+  SbBool setWireframe(SbBool wireframe);
+  SbBool isWireframe() const;
+  TeCameraRig& getCameraRig();
+  TeHud& getHud();
+  const TeStatistics& getStatistics() const;
+  /// Of all objects and the camera; after finishJobs() with withTerrain of every patch of the block, too.
+  std::uint64_t stateHash(bool withTerrain = false) const;
+
+  static constexpr int kMaxRadius = 64;
+  static constexpr int kMaxWorkers = 64;
+  static constexpr double kDefaultBudget = 0.004;
 
 private:
   friend class TePatch;
