@@ -1,6 +1,9 @@
 #include "generators/base/TeAllowance.h"
 
+#include <algorithm>
+#include <cassert>
 #include <ctime>
+#include <limits>
 
 double teThreadCpuSeconds() {
   timespec t;
@@ -19,23 +22,55 @@ TeAllowance TeAllowance::seconds(double seconds) { return TeAllowance::seconds(s
 TeAllowance TeAllowance::seconds(double seconds, Clock clock) {
   TeAllowance a(Kind::Time);
   a.m_clock = std::move(clock);
-  a.m_deadline = a.m_clock() + seconds;
+  a.m_start = a.m_last = a.m_clock();
+  a.m_deadline = a.m_start + seconds;
   return a;
 }
 
 bool TeAllowance::spend(std::int64_t units) {
   m_spent += units;
+  if (m_kind != Kind::Time)
+    return !exhaustedAt(0);
+  const double now = m_clock();
+  m_longest = std::max(m_longest, now - m_last);
+  m_last = now;
+  return !exhaustedAt(now);
+}
+
+bool TeAllowance::charge(double seconds, std::int64_t units) {
+  assert(seconds >= 0 && units >= 0);
+  m_spent += units;
+  m_deadline -= seconds;
   return !exhausted();
 }
 
-bool TeAllowance::exhausted() const {
+void TeAllowance::beginUnit() {
+  if (m_kind == Kind::Time)
+    m_last = m_clock();
+}
+
+bool TeAllowance::exhausted() const { return exhaustedAt(m_kind == Kind::Time ? m_clock() : 0); }
+
+bool TeAllowance::exhaustedAt(double now) const {
   switch (m_kind) {
   case Kind::Units:
     return m_spent >= m_limit;
   case Kind::Time:
-    return !(m_clock() < m_deadline); // so that NaN is no licence to go on for ever
+    return !(now < m_deadline); // so that NaN is no licence to go on for ever
   case Kind::Unlimited:
     break;
   }
   return false;
 }
+
+std::int64_t TeAllowance::remainingUnits() const {
+  if (m_kind != Kind::Units)
+    return std::numeric_limits<std::int64_t>::max();
+  return m_spent < m_limit ? m_limit - m_spent : 0;
+}
+
+double TeAllowance::remainingSeconds() const {
+  return m_kind == Kind::Time ? m_deadline - m_clock() : std::numeric_limits<double>::infinity();
+}
+
+double TeAllowance::elapsed() const { return m_kind == Kind::Time ? m_clock() - m_start : 0; }
