@@ -13,6 +13,7 @@
 #include <vector>
 
 class SoNode;
+class TeObjects;
 
 /// Anything that is placed in the world: an aircraft, a car, a tower.
 ///
@@ -63,8 +64,12 @@ public:
   /// Of position, velocity, orientation, and what a class adds: equal states have equal hashes.
   virtual std::uint64_t stateHash() const;
 
+  /// Brings it to rest where it is; called after an update that left something that is not finite. By default
+  /// the velocity becomes 0.
+  virtual void stop();
+
   /// Makes the engine update this object, until it is no longer moving().
-  void wake() { m_awake = true; }
+  void wake();
   bool awake() const { return m_awake; }
 
 protected:
@@ -75,9 +80,13 @@ protected:
 
 private:
   friend class TeObjects;
+  bool isFinite() const;
+
   std::string m_name;
   glm::dvec3 m_position{0};
   glm::dvec3 m_velocity{0};
   glm::dquat m_orientation{1, 0, 0, 0};
   bool m_awake = true;
+  TeObjects* m_owner = nullptr;
+  std::uint64_t m_order = 0; ///< among the owner's objects
 };
