@@ -4,6 +4,7 @@
 #include "apps/common/TeExit.h"
 
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 #include <string_view>
 
@@ -44,6 +45,17 @@ std::string checkSize(std::string& text) {
     return {};
   return "must be WIDTHxHEIGHT, each from 1 to " + std::to_string(TeCommonOptions::kMaxSide) + ", not '" +
          text + "'";
+}
+
+bool readPoint(const std::string& text, glm::dvec2& point) {
+  int used = 0;
+  return std::sscanf(text.c_str(), "%lf,%lf%n", &point.x, &point.y, &used) == 2 &&
+         std::size_t(used) == text.size() && std::isfinite(point.x) && std::isfinite(point.y);
+}
+
+std::string checkPoint(std::string& text) {
+  glm::dvec2 point;
+  return readPoint(text, point) ? std::string() : "must be X,Y in metres, not '" + text + "'";
 }
 
 } // namespace
@@ -91,6 +103,14 @@ CLI::Option* TeCommandLine::addNumber(const std::string& name, double& value, do
 CLI::Option* TeCommandLine::addInteger(const std::string& name, int& value, int minimum, int maximum,
                                        const std::string& help) {
   return m_cli.add_option(name, value, help)->transform(wholeWithin(minimum, maximum))->option_text("N");
+}
+
+CLI::Option* TeCommandLine::addPoint(const std::string& name, glm::dvec2& value, const std::string& help) {
+  return m_cli
+      .add_option_function<std::string>(
+          name, [&value](const std::string& text) { readPoint(text, value); }, help)
+      ->check(CLI::Validator(checkPoint, ""))
+      ->option_text("X,Y");
 }
 
 std::optional<int> TeCommandLine::parse(int argc, char** argv) {

@@ -3,6 +3,7 @@
 #include "apps/common/TeCommonOptions.h"
 
 #include <CLI/CLI.hpp>
+#include <glm/vec2.hpp>
 
 #include <optional>
 #include <string>
@@ -27,6 +28,8 @@ public:
                          const std::string& help);
   CLI::Option* addInteger(const std::string& name, int& value, int minimum, int maximum,
                           const std::string& help);
+  /// `--option X,Y`, both finite.
+  CLI::Option* addPoint(const std::string& name, glm::dvec2& value, const std::string& help);
 
   /// Accepts numbers from minimum to maximum. (CLI11's own range check lets NaN pass.)
   static CLI::Validator within(double minimum, double maximum);

@@ -1,6 +1,7 @@
 // terrane-static: a block of patches of generated terrain or elevation data, in a window or as a picture.
 
 #include "apps/common/TeAppLog.h"
+#include "apps/common/TeAppWorld.h"
 #include "apps/common/TeCommandLine.h"
 #include "apps/common/TeExit.h"
 #include "apps/common/TeProgressLine.h"
@@ -8,7 +9,6 @@
 #include "apps/terrane-static/TeStaticDrawing.h"
 #include "apps/terrane-static/TeStaticOptions.h"
 #include "apps/terrane-static/TeStaticScene.h"
-#include "apps/terrane-static/TeStaticWorld.h"
 #include "generators/TeGeneratorRegistry.h"
 #include "nodes/TeNodes.h"
 #include "nodes/TeSceneFile.h"
@@ -32,7 +32,7 @@ private:
   std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-void describe(const TeStaticBlock& block, const TeStaticWorld& made, int triangles, TeReport& report) {
+void describe(const TeStaticBlock& block, const TeAppWorld& made, int triangles, TeReport& report) {
   auto& json = report.json();
   json["seed"] = made.world.seed;
   json["generator"] = made.description;
@@ -53,7 +53,7 @@ int trianglesOf(SoNode* scene) {
 }
 
 /// Shows how far it has come; the line is gone before anything else is printed.
-TeResult<TeStaticBlock> makeTerrain(const TeStaticWorld& made, int patches, bool quiet) {
+TeResult<TeStaticBlock> makeTerrain(const TeAppWorld& made, int patches, bool quiet) {
   TeProgressLine progress("Making terrain", quiet);
   return TeStaticBlock::build(made.world, made.centre, patches,
                               [&](int done, int total) { progress.update(double(done) / total); });
@@ -64,9 +64,10 @@ int run(const TeCommandLine& commandLine, const TeStaticOptions& options) {
   TeReport report(kName, commandLine.commandText());
 
   const Stopwatch opening;
-  const TeResult<TeStaticWorld> made = TeStaticWorld::create(options, common.seed);
+  TeResult<TeAppWorld> made = TeAppWorld::create(options.terrain, options.block, common.seed);
   if (!made)
     return teExitWith(TeExitUsage, kName, made.error().message);
+  made->centre += options.center;
   report.addTime("open", opening.seconds());
 
   const Stopwatch building;
@@ -109,11 +110,11 @@ extern "C" int teMain(int argc, char** argv) {
   options.addTo(commandLine);
   if (const std::optional<int> status = commandLine.parse(argc, argv))
     return *status;
-  if (options.listGenerators) {
+  if (options.terrain.listGenerators) {
     std::fputs(TeGeneratorRegistry::instance().helpText().c_str(), stdout);
     return TeExitSuccess;
   }
-  if (const TeStatus ok = options.check(); !ok)
+  if (const TeStatus ok = options.terrain.check(); !ok)
     return teExitWith(TeExitUsage, kName, ok.error().message);
   teStartAppLog(kName, commandLine.common().quiet);
   return run(commandLine, options);

@@ -1,4 +1,4 @@
-#include "apps/terrane-static/TeStaticWorld.h"
+#include "apps/common/TeAppWorld.h"
 
 #include "generators/TeGeneratorRegistry.h"
 #include "nodes/terrain/TeElevationTerrain.h"
@@ -36,7 +36,7 @@ TeStatus placeOutside(const std::string& what, TeElevationTerrainOptions& elevat
 }
 
 /// The whole file around the world's origin, or its native posts with the highest there.
-TeResult<Terrain> elevationTerrain(const TeStaticOptions& options, glm::dvec2& centre) {
+TeResult<Terrain> elevationTerrain(const TeTerrainOptions& options, int patches, glm::dvec2& centre) {
   TeElevationTerrainOptions elevation;
   elevation.file = options.dem;
   const TeResult<double> unit = teVerticalUnit(options.verticalUnit);
@@ -48,17 +48,17 @@ TeResult<Terrain> elevationTerrain(const TeStaticOptions& options, glm::dvec2& c
   if (const TeStatus ok = placeOutside(options.outside, elevation); !ok)
     return ok.error();
   elevation.native = options.native;
-  elevation.patches = options.block;
+  elevation.patches = patches;
   elevation.samples = options.samples;
   elevation.spacing = options.spacing;
   const TeResult<TeElevationTerrain> opened = TeElevationTerrain::open(elevation);
   if (!opened)
     return opened.error();
-  centre += opened->centre;
+  centre = opened->centre;
   return Terrain{opened->source, opened->samples, opened->spacing};
 }
 
-TeResult<Terrain> generatedTerrain(const TeStaticOptions& options) {
+TeResult<Terrain> generatedTerrain(const TeTerrainOptions& options) {
   const TeResult<TeHeightSourcePtr> source = TeGeneratorRegistry::instance().source(options.generator);
   if (!source)
     return source.error();
@@ -68,11 +68,10 @@ TeResult<Terrain> generatedTerrain(const TeStaticOptions& options) {
 
 } // namespace
 
-TeResult<TeStaticWorld> TeStaticWorld::create(const TeStaticOptions& options, std::uint64_t seed) {
-  TeStaticWorld made;
-  made.centre = options.center;
+TeResult<TeAppWorld> TeAppWorld::create(const TeTerrainOptions& options, int patches, std::uint64_t seed) {
+  TeAppWorld made;
   const TeResult<Terrain> terrain =
-      options.dem.empty() ? generatedTerrain(options) : elevationTerrain(options, made.centre);
+      options.dem.empty() ? generatedTerrain(options) : elevationTerrain(options, patches, made.centre);
   if (!terrain)
     return terrain.error();
   made.description = options.dem.empty() ? options.generator : options.dem;
@@ -87,7 +86,8 @@ TeResult<TeStaticWorld> TeStaticWorld::create(const TeStaticOptions& options, st
     return lattice.error();
   made.world.lattice = *lattice;
   made.world.seed = seed;
-  made.world.sources = std::make_shared<TeSingleSource>(std::move(*source));
+  made.source = std::move(*source);
+  made.world.sources = std::make_shared<TeSingleSource>(made.source);
   made.world.blending = options.blending;
   return made;
 }

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "apps/common/TeTerrainOptions.h"
+#include "engine/TeEngine.h"
+
+#include <glm/vec2.hpp>
+
+#include <optional>
+#include <string>
+
+/// The options of every application of the engine, besides the common ones.
+struct TeEngineOptions {
+  static constexpr int kMaxUnits = 1'000'000;
+  /// Units of work that take about TeEngine::kDefaultBudget: the allowance of runs with --dt.
+  static constexpr int kDefaultUnits = 24;
+
+  TeTerrainOptions terrain;
+  glm::dvec2 center{0}; ///< where to begin, metres
+  int radius = 1;
+  double budget = TeEngine::kDefaultBudget * 1000; ///< milliseconds a tick
+  int units = 0;  ///< of work a tick; 0 = by time, or kDefaultUnits with --dt
+  double fps = 0; ///< wanted frames a second; 0 = none
+  int workers = 0;
+  std::string record; ///< file; empty = none
+  std::string replay;
+  std::string haze = "auto"; ///< on, off, or auto = on beyond radius 1
+  bool hud = true;
+  bool thirdPerson = false;
+  std::string screenshots = "."; ///< folder
+
+  /// Adds the options to a command line, which reads them into this object when it is parsed.
+  void addTo(TeCommandLine& commandLine);
+  /// What contradicts what; after parsing.
+  TeStatus check(const TeCommonOptions& common) const;
+
+  bool hazy() const { return haze == "on" || (haze == "auto" && radius > 1); }
+  /// The work units of a tick; 0 = by time.
+  int unitBudget(const TeCommonOptions& common) const;
+};
