@@ -2,6 +2,7 @@
 
 #include "engine/camera/TeClipRange.h"
 #include "engine/input/TeKeyState.h"
+#include "generators/base/TeResult.h"
 
 #include <glm/gtc/quaternion.hpp>
 #include <glm/vec3.hpp>

@@ -15,7 +15,8 @@ class TeTextPanel;
 ///
 /// Light text on translucent dark panels, drawn without depth test, light and fog after the scene; readable
 /// over anything. Coordinates are pixels from the lower left corner. Nodes change only when what they show
-/// does. Text is ASCII and "°"; other characters show as '?'. For the thread that makes all Coin calls.
+/// does. Text is ASCII and "°"; other characters show as '?'. For the thread that makes all Coin calls,
+/// after SoDB::init().
 class TeHud {
 public:
   static constexpr int kMaxLines = 64;

@@ -1,0 +1,110 @@
+#include "engine/hud/TeTextPanel.h"
+
+#include <Inventor/nodes/SoBaseColor.h>
+#include <Inventor/nodes/SoFaceSet.h>
+#include <Inventor/nodes/SoFont.h>
+#include <Inventor/nodes/SoSeparator.h>
+#include <Inventor/nodes/SoSwitch.h>
+#include <Inventor/nodes/SoText2.h>
+#include <Inventor/nodes/SoTranslation.h>
+#include <Inventor/nodes/SoVertexProperty.h>
+
+#include <algorithm>
+
+namespace {
+
+constexpr float kFontSize = 14;
+constexpr int kBaseline = 13;                      ///< of the first line, below the top of the text
+constexpr std::uint32_t kPanelColour = 0x0C1420A0; ///< RGBA
+const SbColor kTextColour(0.93f, 0.96f, 0.90f);
+
+int columnsOf(const std::string& line) {
+  // Continuation bytes of UTF-8 take no column.
+  return int(std::count_if(line.begin(), line.end(), [](char c) { return (c & 0xC0) != 0x80; }));
+}
+
+} // namespace
+
+TeTextPanel::TeTextPanel()
+    : m_switch(new SoSwitch), m_place(new SoTranslation), m_corners(new SoVertexProperty),
+      m_text(new SoText2) {
+  auto* panel = new SoSeparator;
+  m_switch->addChild(panel);
+  panel->addChild(m_place);
+
+  m_corners->orderedRGBA = kPanelColour;
+  m_corners->materialBinding = SoVertexProperty::OVERALL;
+  auto* rectangle = new SoFaceSet;
+  rectangle->vertexProperty = m_corners;
+  rectangle->numVertices = 4;
+  panel->addChild(rectangle);
+
+  auto* colour = new SoBaseColor;
+  colour->rgb = kTextColour;
+  panel->addChild(colour);
+  auto* font = new SoFont;
+  font->name = "monospace";
+  font->size = kFontSize;
+  panel->addChild(font);
+  auto* baseline = new SoTranslation;
+  baseline->translation.setValue(kMargin, -(kMargin + kBaseline), 0);
+  panel->addChild(baseline);
+  m_text->spacing = kLineHeight / kFontSize;
+  panel->addChild(m_text);
+}
+
+bool TeTextPanel::setLines(const std::vector<std::string>& lines) {
+  if (lines == m_lines)
+    return false;
+  const glm::ivec2 sizeBefore = size();
+  if (lines.size() != m_lines.size())
+    m_columns = 0;
+  m_lines = lines;
+  for (const std::string& line : lines)
+    m_columns = std::max(m_columns, columnsOf(line));
+
+  std::vector<SbString> texts;
+  for (const std::string& line : lines)
+    texts.emplace_back(line.c_str());
+  const SbBool notified = m_text->string.enableNotify(FALSE); // once, not for every line
+  m_text->string.setNum(int(texts.size()));
+  m_text->string.setValues(0, int(texts.size()), texts.data());
+  m_text->string.enableNotify(notified);
+  m_text->string.touch();
+  if (size() != sizeBefore)
+    updateRectangle();
+  updateSwitch();
+  return true;
+}
+
+bool TeTextPanel::setShown(bool shown) {
+  m_shown = shown;
+  return updateSwitch();
+}
+
+bool TeTextPanel::setTopLeft(glm::ivec2 place) {
+  if (place == m_topLeft)
+    return false;
+  m_topLeft = place;
+  m_place->translation.setValue(float(place.x), float(place.y), 0);
+  return true;
+}
+
+glm::ivec2 TeTextPanel::size() const {
+  return {m_columns * kColumnWidth + 2 * kMargin, int(m_lines.size()) * kLineHeight + 2 * kMargin};
+}
+
+bool TeTextPanel::updateSwitch() {
+  const int child = m_shown && !m_lines.empty() ? SO_SWITCH_ALL : SO_SWITCH_NONE;
+  if (m_switch->whichChild.getValue() == child)
+    return false;
+  m_switch->whichChild = child;
+  return true;
+}
+
+void TeTextPanel::updateRectangle() {
+  const float width = float(size().x);
+  const float height = float(size().y);
+  const SbVec3f corners[4] = {{0, -height, 0}, {width, -height, 0}, {width, 0, 0}, {0, 0, 0}};
+  m_corners->vertex.setValues(0, 4, corners);
+}
