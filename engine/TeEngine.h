@@ -138,6 +138,8 @@ public:
   void finishJobs();
   /// Nothing moves and nothing is to be made: no tick is needed before the next event.
   bool isIdle() const;
+  /// Objects or the camera move: ticks are wanted frame by frame. Else only jobs are left, if not idle.
+  bool isMoving() const;
   /// True if the last tick, or a call since, changed what is seen.
   bool needsRedraw() const;
   /// The host says that it has drawn a frame: seconds of the wall clock since the frame before, and of CPU
