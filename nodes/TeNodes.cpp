@@ -2,6 +2,7 @@
 
 #include "nodes/terrain/SoTeStaticTerrain.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
+#include "nodes/terrain/SoTeTerrainMesh.h"
 
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInteraction.h>
@@ -13,4 +14,5 @@ void TeNodes::init() {
   SoInteraction::init();
   SoTeTerrainDetail::initClass();
   SoTeStaticTerrain::initClass();
+  SoTeTerrainMesh::initClass();
 }

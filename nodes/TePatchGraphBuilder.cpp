@@ -1,5 +1,7 @@
 #include "nodes/TePatchGraphBuilder.h"
 
+#include "nodes/terrain/TeMeshVertices.h"
+
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoFaceSet.h>
 #include <Inventor/nodes/SoIndexedTriangleStripSet.h>
@@ -8,21 +10,7 @@
 #include <Inventor/nodes/SoPackedColor.h>
 #include <Inventor/nodes/SoTextureCoordinate2.h>
 
-#include <algorithm>
 #include <cassert>
-#include <cmath>
-
-namespace {
-
-std::uint32_t packed(const glm::vec3& colour) {
-  // Written so that a NaN is 0.
-  const auto part = [](float value) {
-    return std::uint32_t(std::lround(255 * (value > 0 ? std::min(value, 1.0f) : 0.0f)));
-  };
-  return part(colour.r) << 24 | part(colour.g) << 16 | part(colour.b) << 8 | 0xFF;
-}
-
-} // namespace
 
 TePatchGraphBuilder::TePatchGraphBuilder(glm::dvec2 anchor)
     : m_anchor(anchor), m_translation(new SoTranslation), m_hints(new SoShapeHints),
@@ -77,10 +65,10 @@ TeNodePtr<SoSeparator> TePatchGraphBuilder::build(const TePatchMesh& mesh) const
   auto* coordinates = new SoCoordinate3;
   coordinates->point.setNum(int(mesh.positions.size()));
   SbVec3f* point = coordinates->point.startEditing();
-  // Origin + position is the same double in all pieces that share a vertex, and so is all that follows.
-  for (const glm::vec3& position : mesh.positions)
-    (point++)->setValue(float(mesh.origin.x + position.x - m_anchor.x),
-                        float(mesh.origin.y + position.y - m_anchor.y), position.z);
+  for (const glm::vec3& position : mesh.positions) {
+    const glm::vec3 vertex = teVertexPosition(mesh, position, m_anchor);
+    (point++)->setValue(vertex.x, vertex.y, vertex.z);
+  }
   coordinates->point.finishEditing();
   piece->addChild(coordinates);
 
@@ -104,7 +92,7 @@ void TePatchGraphBuilder::addColours(SoSeparator& piece, const TePatchMesh& mesh
   colours->orderedRGBA.setNum(int(mesh.positions.size()));
   std::uint32_t* colour = colours->orderedRGBA.startEditing();
   for (std::size_t i = 0; i < mesh.positions.size(); i++)
-    *colour++ = packed(m_colours.colour(mesh.positions[i].z, mesh.normals[i]));
+    *colour++ = m_colours.packed(mesh.positions[i].z, mesh.normals[i]);
   colours->orderedRGBA.finishEditing();
   piece.addChild(colours);
 }

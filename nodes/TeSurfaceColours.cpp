@@ -33,3 +33,12 @@ glm::vec3 TeSurfaceColours::colour(float height, const glm::vec3& normal) const 
   const glm::vec3 ground = mix(grass, rock, std::max(high, steep));
   return mix(ground, snow, top * (1 - steep));
 }
+
+std::uint32_t TeSurfaceColours::packed(float height, const glm::vec3& normal) const {
+  // Written so that a NaN is 0.
+  const auto part = [](float value) {
+    return std::uint32_t(std::lround(255 * (value > 0 ? std::min(value, 1.0f) : 0.0f)));
+  };
+  const glm::vec3 rgb = colour(height, normal);
+  return part(rgb.r) << 24 | part(rgb.g) << 16 | part(rgb.b) << 8 | 0xFF;
+}

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "nodes/TeNodePtr.h"
+#include "nodes/terrain/TeMeshBuffers.h"
 
 #include <Inventor/nodes/SoTranslation.h>
 
@@ -9,6 +10,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <memory>
 
 /// What all SoTeTerrainMesh nodes of one terrain share: the point of the world that their vertices are
 /// relative to (the *anchor*), and the account of their drawing.
@@ -17,7 +20,7 @@
 /// between them. Vertices are float, so the anchor has to follow the viewer: beginAnchor() names the next
 /// one; the meshes make their buffers for it bit by bit as they are drawn, within the frame's allowance; once
 /// all have one, commitAnchor() moves all of them over between two frames. For the thread that makes all Coin
-/// calls.
+/// calls; anchors and origins are finite.
 class TeMeshDrawing {
 public:
   /// Of the frames since resetFrame().
@@ -31,41 +34,67 @@ public:
   };
 
   explicit TeMeshDrawing(glm::dvec2 anchor);
+  /// Its OpenGL buffers go when their contexts are next drawn in, or go.
+  ~TeMeshDrawing();
+  TeMeshDrawing(const TeMeshDrawing&) = delete;
+  TeMeshDrawing& operator=(const TeMeshDrawing&) = delete;
 
   glm::dvec2 anchor() const { return m_anchor; }
   /// The translation from the scene's origin to the anchor; comes before the meshes in the scene.
   SoTranslation* translation() const { return m_translation.get(); }
-  /// The point of the world that is the scene's (0, 0, 0).
+  /// The point of the world that is the scene's (0, 0, 0); (0, 0, 0) at first.
   void setWorldOrigin(glm::dvec3 origin);
 
-  /// At once, for all meshes: their buffers are made anew when they are next drawn.
+  /// At once, for all meshes: their buffers are made anew when they are next drawn. Ends a change of anchor.
   void setAnchor(glm::dvec2 anchor);
+  /// Starts a change of anchor, or starts it over with another one.
   void beginAnchor(glm::dvec2 next);
   /// True between beginAnchor() and commitAnchor().
   bool changesAnchor() const { return m_changes; }
   glm::dvec2 nextAnchor() const { return m_nextAnchor; }
-  /// True once no mesh is without a buffer for the next anchor.
+  /// True once a frame was drawn, after beginAnchor(), in which no mesh lacked a buffer for the next anchor.
   bool nextAnchorReady() const;
+  /// During a change only. A mesh that still lacks its buffer makes it when it is next drawn.
   void commitAnchor();
 
-  /// Starts a new account. `anchorBytes`: how much may be uploaded for the next anchor until the next call.
+  /// Starts a new account. `anchorBytes`: how much may be uploaded for the next anchor until the next call;
+  /// if it is not 0, at least one mesh is.
   void resetFrame(std::size_t anchorBytes = 0);
   const Frame& frame() const { return m_frame; }
-  /// In OpenGL buffers, all contexts together.
-  std::size_t bufferBytes() const { return m_bufferBytes; }
-  /// CPU seconds that an upload has taken per byte, lately.
+  /// In OpenGL buffers, all contexts together, with those that wait for their context to be freed in.
+  std::size_t bufferBytes() const;
+  /// CPU seconds that an upload has taken per byte, lately; a guess before the first.
   double secondsPerByte() const { return m_secondsPerByte; }
 
 private:
   friend class SoTeTerrainMesh;
+
+  /// The buffers of a context, which is current.
+  TeMeshBuffers& buffers(std::uint32_t context);
+  /// A node goes, or gets another mesh.
+  void forget(const void* node);
+  /// Makes what a mesh lacks. Null if this OpenGL cannot draw it.
+  TeMeshBuffers::Mesh* prepare(TeMeshBuffers& buffers, const void* node, const TePatchMesh& mesh,
+                               const std::vector<std::uint32_t>& colours);
+  void prepareNextAnchor(TeMeshBuffers& buffers, TeMeshBuffers::Mesh& made, const TePatchMesh& mesh);
+  /// Accounts for an upload that began at `start`, CPU seconds.
+  void count(std::size_t bytes, double start);
+  void updateTranslation();
+  static void freeWhenCurrent(const std::shared_ptr<TeMeshBuffers>& buffers);
+  static void onContextDestroyed(std::uint32_t context, void* drawing);
 
   TeNodePtr<SoTranslation> m_translation;
   glm::dvec2 m_anchor;
   glm::dvec2 m_nextAnchor{0};
   glm::dvec3 m_worldOrigin{0};
   bool m_changes = false;
-  Frame m_frame;
+  bool m_wasReady = false;     ///< at the end of a frame since beginAnchor()
+  std::int64_t m_withNext = 0; ///< meshes of this frame that have a buffer for the next anchor
+  std::int64_t m_withoutNext = 0;
   std::size_t m_anchorBytesLeft = 0;
-  std::size_t m_bufferBytes = 0;
+  Frame m_frame;
+  double m_recentSeconds = 0; ///< of uploads, fading
+  double m_recentBytes = 0;
   double m_secondsPerByte = 1e-9;
+  std::map<std::uint32_t, std::shared_ptr<TeMeshBuffers>> m_buffers; ///< by context
 };

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "generators/TeHeightSource.h"
+#include "generators/base/TeAllowance.h"
 #include "nodes/TeNodePtr.h"
 #include "nodes/TeSurfaceColours.h"
 #include "nodes/terrain/SoTeTerrainMesh.h"
@@ -11,10 +11,13 @@ public:
   TeMeshModelJob(TePatchMeshPtr mesh, const TeSurfaceColours& colours,
                  std::shared_ptr<TeMeshDrawing> drawing);
 
-  /// True when done. Units of at most about 4096 vertices.
+  /// Colours vertices until the allowance is spent, in units of at most kVerticesPerUnit; true when done. On
+  /// any thread, one at a time.
   bool step(TeAllowance& allowance);
-  /// Once done.
+  /// Once done, once; on the thread that makes all Coin calls. Looks at all vertices for their bounding box.
   TeNodePtr<SoTeTerrainMesh> take();
+
+  static constexpr std::size_t kVerticesPerUnit = 4096;
 
 private:
   TePatchMeshPtr m_mesh;
