@@ -46,6 +46,8 @@ public:
   virtual bool needsGround() const { return false; }
   /// A key, if this is the active object; true if it meant something to it.
   virtual bool handleEvent(const TeKeyEvent& event);
+  /// Forgets keys that are held: it is no longer the active object, or the window has lost the keyboard.
+  virtual void releaseKeys() {}
 
   /// Drawn at the object's place, in its own frame; null = nothing. Asked once, when the object is added.
   virtual SoNode* drawModel();
