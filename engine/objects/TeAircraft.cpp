@@ -80,10 +80,14 @@ TeStatus TeAircraft::setHeading(double x, double y) {
 
 double TeAircraft::speed() const { return glm::length(velocity()); }
 
+glm::dvec3 TeAircraft::forward() const {
+  const double present = speed();
+  return present > 0 ? velocity() / present : m_forward;
+}
+
 void TeAircraft::update(const TeUpdate& update) {
   const glm::dvec3 before = m_forward;
-  if (const double present = speed(); present > 0)
-    m_forward = velocity() / present;
+  m_forward = forward();
   steer(m_pilot ? m_pilot(*this, update) : keySteering(), update.dt);
   keepClear(update.terrain);
   bank(before, update.dt);
@@ -175,7 +179,8 @@ TeCollisionShape TeAircraft::collisionShape() const {
 }
 
 std::vector<std::string> TeAircraft::hudLines() const {
-  const double heading = std::atan2(m_forward.x, m_forward.y) * kDegrees;
+  const glm::dvec3 ahead = forward();
+  const double heading = std::atan2(ahead.x, ahead.y) * kDegrees;
   char text[80];
   std::vector<std::string> lines;
   std::snprintf(text, sizeof text, "Speed     %7.1f m/s  %7.1f km/h", speed(), speed() * 3.6);

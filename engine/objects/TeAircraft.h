@@ -38,8 +38,8 @@ public:
   void setPilot(Pilot pilot);
   /// Points it level along (x, y) without changing its speed. Error: not finite or 0.
   TeStatus setHeading(double x, double y);
-  /// Unit; of the nose.
-  const glm::dvec3& forward() const { return m_forward; }
+  /// Unit; where it flies or, at rest, where its nose points.
+  glm::dvec3 forward() const;
   double speed() const; ///< m/s
 
   void update(const TeUpdate& update) override;
