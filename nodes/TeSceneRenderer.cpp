@@ -102,8 +102,10 @@ void TeSceneRenderer::destroyTarget(Target& target) {
 TeStatus TeSceneRenderer::draw(SoNode* scene) {
   if (TeStatus status = m_context.makeCurrent(); !status)
     return status;
-  if (TeStatus status = teFitClipPlanes(scene, m_action.getViewportRegion()); !status)
-    return status;
+  if (m_fitsClipPlanes) {
+    if (TeStatus status = teFitClipPlanes(scene, m_action.getViewportRegion()); !status)
+      return status;
+  }
   const TeGlTable& gl = m_context.gl();
   const BoundFramebuffer bound(gl, m_target.framebuffer);
   gl.viewport(0, 0, m_width, m_height);

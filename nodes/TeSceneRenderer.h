@@ -27,8 +27,13 @@ public:
   /// For settings such as the kind of transparency.
   SoGLRenderAction& action() { return m_action; }
 
-  /// Draws one frame: near and far planes come from the scene's bounding box (teFitClipPlanes). Error: no
-  /// camera in the scene, an OpenGL error while drawing.
+  /// Whether draw() sets near and far planes of the scene's first camera from the scene's bounding box
+  /// (teFitClipPlanes); by default it does. Scenes that go on beyond what is loaded, or have several cameras,
+  /// set their planes themselves.
+  void setFitClipPlanes(bool fit) { m_fitsClipPlanes = fit; }
+
+  /// Draws one frame. Error: no camera in the scene whose planes are to be fitted, an OpenGL error while
+  /// drawing.
   TeStatus draw(SoNode* scene);
   /// Draws one frame and reads it; alpha is 255 everywhere.
   TeResult<TePicture> render(SoNode* scene);
@@ -50,6 +55,7 @@ private:
   int m_width;
   int m_height;
   SbColor m_background{0.53f, 0.72f, 0.9f};
+  bool m_fitsClipPlanes = true;
   SoGLRenderAction m_action;
   Target m_target;
   Target m_resolved; ///< of one sample; only if m_target has more
