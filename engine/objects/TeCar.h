@@ -28,7 +28,7 @@ class TeCarModel;
 ///
 /// The setters of TeObject hold: of a position x and y, of an orientation the heading, of a velocity its part
 /// along the heading. Left alone it rolls to exact rest and sleeps, unless it slides on ground steeper than
-/// the tyres hold. Cost: about a microsecond a step.
+/// the tyres hold. Cost: 2 to 4 microseconds a step.
 class TeCar : public TeObject {
 public:
   static constexpr double kLongestStep = 1.0 / 120; ///< seconds
