@@ -1,6 +1,5 @@
 #include "patchdb/TePatchDatabase.h"
 
-#include "patchdb/TeMeshBuilder.h"
 #include "patchdb/TePatchJob.h"
 #include "patchdb/TeSeamBuilder.h"
 
@@ -60,7 +59,7 @@ TeResult<TePatchData*> TePatchDatabase::build(const TePatchKey& key) {
   return find(key);
 }
 
-TeResult<TePatchMesh> TePatchDatabase::patchMesh(const TePatchData& patch) const {
+TeResult<TeMeshBuilder> TePatchDatabase::meshBuilder(const TePatchData& patch) const {
   if (!patch.hasHeights())
     return TeError{"patch " + patch.key().text() + ": has no heights yet"};
   TePatchMesh mesh;
@@ -73,8 +72,14 @@ TeResult<TePatchMesh> TePatchDatabase::patchMesh(const TePatchData& patch) const
   block.missing = patch.hasMissing();
   const std::int64_t step = std::int64_t(1) << patch.key().level;
   block.first = tePatchFirstSample(lattice(), patch.key()) + step;
-  teBuildMesh(lattice(), block, mesh);
-  return mesh;
+  return TeMeshBuilder(lattice(), block, std::move(mesh));
+}
+
+TeResult<TePatchMesh> TePatchDatabase::patchMesh(const TePatchData& patch) const {
+  TeResult<TeMeshBuilder> builder = meshBuilder(patch);
+  if (!builder)
+    return builder.error();
+  return builder->finish();
 }
 
 TeResult<TePatchMesh> TePatchDatabase::seamMesh(const TePatchData& patch, TeDirection direction) const {

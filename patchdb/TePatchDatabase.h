@@ -1,6 +1,7 @@
 #pragma once
 
 #include "patchdb/TeMapStore.h"
+#include "patchdb/TeMeshBuilder.h"
 #include "patchdb/TePatchData.h"
 #include "patchdb/TePatchMesh.h"
 #include "patchdb/TePatchTree.h"
@@ -59,6 +60,8 @@ public:
   TeResult<TePatchData*> build(const TePatchKey& key);
   /// The patch's inside as a mesh: cells 1 .. n-2 of each side. Error: no heights.
   TeResult<TePatchMesh> patchMesh(const TePatchData& patch) const;
+  /// The same in slices; the patch must keep its heights until it is done.
+  TeResult<TeMeshBuilder> meshBuilder(const TePatchData& patch) const;
   /// The seam (E, N, W, S) or corner square (NE, NW, SW, SE) in a direction; the same mesh whichever of the
   /// patches that meet there is asked. Error: a patch that takes part has no heights; the message names it.
   TeResult<TePatchMesh> seamMesh(const TePatchData& patch, TeDirection direction) const;
@@ -71,7 +74,8 @@ public:
   std::optional<glm::dvec3> normalAt(glm::dvec2 point) const;
   /// First hit of the ray with the surface of the base patches, from above or below, at a distance within
   /// [0, maxDistance] (in units of the direction's length, which need not be 1; infinity is allowed). None
-  /// also for an origin or direction that is not finite, and a direction of length 0. Visits known patches only.
+  /// also for an origin or direction that is not finite, and a direction of length 0. Visits known patches
+  /// only.
   std::optional<TeRayHit> intersect(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const;
 
   /// Height from the finest known patch, and how far the base level may differ from it.

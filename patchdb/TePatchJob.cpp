@@ -1,16 +1,41 @@
 #include "patchdb/TePatchJob.h"
 
-TePatchJob::TePatchJob(TePatchDatabase& database, const TePatchKey& key) : m_database(&database), m_key(key) {
+#include <new>
+
+TePatchJob::TePatchJob(TePatchDatabase& database, const TePatchKey& key, TeMapProvider* provider)
+    : m_database(&database), m_key(key), m_ownMaps(database), m_provider(provider ? provider : &m_ownMaps) {
   if (!key.valid())
     m_progress = fail({"outside the world"});
   else if (key.level != 0)
     m_progress = fail({"only patches of level 0 are made from source maps"});
 }
 
+TePatchJob::~TePatchJob() { releaseMaps(); }
+
+TePatchJob::Stage TePatchJob::stage() const {
+  if (m_progress != TeProgress::Working)
+    return Stage::Ended;
+  return m_builder ? Stage::Blend : m_needed ? Stage::SourceMaps : Stage::Waiting;
+}
+
+bool TePatchJob::blocked() const {
+  if (stage() != Stage::SourceMaps)
+    return false;
+  bool lacking = false;
+  for (int corner = 0; corner < 4; ++corner)
+    if (m_requested[std::size_t(corner)]) {
+      lacking = true;
+      if (!m_provider->blocked(teMapKey(m_key, corner)))
+        return false;
+    }
+  return lacking;
+}
+
 TeProgress TePatchJob::fail(const TeError& error) {
-  m_error.message = "patch " + m_key.text() + ": " + error.message;
-  m_mapJob.reset();
+  releaseMaps();
   m_builder.reset();
+  m_maps = {};
+  m_error.message = "patch " + m_key.text() + ": " + error.message;
   return TeProgress::Failed;
 }
 
@@ -18,10 +43,13 @@ TeProgress TePatchJob::step(TeAllowance& allowance) {
   if (m_progress != TeProgress::Working)
     return m_progress;
   const TeProgress maps = makeMaps(allowance);
-  if (maps == TeProgress::Done)
+  if (maps != TeProgress::Done)
+    return maps;
+  try {
     m_progress = makeHeights(allowance);
-  else if (maps == TeProgress::Failed)
-    m_progress = maps;
+  } catch (const std::bad_alloc&) {
+    m_progress = failWithoutMemory();
+  }
   return m_progress;
 }
 
@@ -33,35 +61,78 @@ TeProgress TePatchJob::finish() {
 TeProgress TePatchJob::makeMaps(TeAllowance& allowance) {
   if (m_progress == TeProgress::Failed)
     return m_progress;
-  if (!m_needed) {
-    // All four sources are remembered even where one map is enough: the neighbours share the others.
-    std::array<TeHeightSourcePtr, 4> sources;
-    for (int corner = 0; corner < 4; ++corner) {
-      const TeResult<TeHeightSourcePtr> source = m_database->mapSource(teMapKey(m_key, corner));
-      if (!source)
-        return fail(source.error());
-      sources[std::size_t(corner)] = *source;
-    }
-    m_needed.emplace(m_key, sources);
-  }
-  const std::int64_t spent = allowance.unitsSpent();
-  for (int corner = 0; corner < 4; ++corner) {
-    if (m_maps[std::size_t(corner)] || !(*m_needed)[corner])
-      continue;
-    if (!m_mapJob)
-      m_mapJob = std::make_unique<TeMapJob>(*m_database, teMapKey(m_key, corner));
-    const TeProgress progress = m_mapJob->step(allowance);
+  try {
+    if (!m_needed)
+      if (const TeStatus ok = requestMaps(); !ok)
+        return m_progress = fail(ok.error());
+    const TeProgress progress = provideMaps(allowance);
     if (progress == TeProgress::Failed)
-      return fail(m_mapJob->error());
-    if (progress == TeProgress::Working)
-      return progress;
-    m_maps[std::size_t(corner)] = m_mapJob->map();
-    m_mapJob.reset();
+      m_progress = progress;
+    return progress;
+  } catch (const std::bad_alloc&) {
+    return m_progress = failWithoutMemory();
+  }
+}
+
+/// Needs no memory itself.
+TeProgress TePatchJob::failWithoutMemory() {
+  releaseMaps();
+  m_builder.reset();
+  m_maps = {};
+  m_error.message = "out of memory";
+  return TeProgress::Failed;
+}
+
+TeStatus TePatchJob::requestMaps() {
+  // All four sources are remembered even where one map is enough: the neighbours share the others.
+  std::array<TeHeightSourcePtr, 4> sources;
+  for (int corner = 0; corner < 4; ++corner) {
+    const TeResult<TeHeightSourcePtr> source = m_database->mapSource(teMapKey(m_key, corner));
+    if (!source)
+      return source.error();
+    sources[std::size_t(corner)] = *source;
+  }
+  m_needed.emplace(m_key, sources);
+  for (int corner = 0; corner < 4; ++corner)
+    if ((*m_needed)[corner]) {
+      m_provider->request(teMapKey(m_key, corner));
+      m_requested[std::size_t(corner)] = true;
+    }
+  return {};
+}
+
+void TePatchJob::releaseMap(int corner) {
+  if (std::exchange(m_requested[std::size_t(corner)], false))
+    m_provider->release(teMapKey(m_key, corner));
+}
+
+void TePatchJob::releaseMaps() {
+  for (int corner = 0; corner < 4; ++corner)
+    releaseMap(corner);
+}
+
+TeProgress TePatchJob::provideMaps(TeAllowance& allowance) {
+  const std::int64_t spent = allowance.unitsSpent();
+  bool all = true;
+  for (int corner = 0; corner < 4; ++corner) {
+    if (!m_requested[std::size_t(corner)])
+      continue;
     // A map that was found costs nothing, so that going on is the one unit that every slice does.
     if (allowance.exhausted() && allowance.unitsSpent() > spent)
       return TeProgress::Working;
+    TeError error;
+    const TeProgress progress =
+        m_provider->provide(teMapKey(m_key, corner), allowance, m_maps[std::size_t(corner)], error);
+    if (progress == TeProgress::Failed)
+      return fail(error);
+    if (progress == TeProgress::Done)
+      releaseMap(corner);
+    else
+      all = false; // being made elsewhere, or nothing is left of the allowance
   }
-  return TeProgress::Done;
+  if (allowance.exhausted() && allowance.unitsSpent() > spent)
+    return TeProgress::Working;
+  return all ? TeProgress::Done : TeProgress::Working;
 }
 
 TeProgress TePatchJob::makeHeights(TeAllowance& allowance) {

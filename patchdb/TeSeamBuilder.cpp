@@ -62,6 +62,5 @@ TeResult<TePatchMesh> teBuildSeam(const TeLattice& lattice, const TePatchData& p
       block.missing = block.missing || patches[y][x]->hasMissing();
   const std::int64_t spacing = std::int64_t(1) << mesh.key.level;
   block.first = tePatchFirstSample(lattice, mesh.key) + glm::vec<2, std::int64_t>(first) * spacing;
-  teBuildMesh(lattice, block, mesh);
-  return mesh;
+  return TeMeshBuilder(lattice, block, std::move(mesh)).finish();
 }

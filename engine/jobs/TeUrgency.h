@@ -2,8 +2,8 @@
 
 #include "patchdb/TePatchKey.h"
 
-/// Order of jobs of one kind: lower rank first, then lower distance, then the key and part, so that ties never depend
-/// on the order of insertion.
+/// Order of jobs of one kind: lower rank first, then lower distance, then the key and part, so that ties
+/// never depend on the order of insertion.
 struct TeUrgency {
   int rank = 0;        ///< 0 = most urgent
   double distance = 0; ///< metres or seconds; not NaN

@@ -1,0 +1,3 @@
+#include "engine/jobs/TeJob.h"
+
+TeJob::~TeJob() = default;
