@@ -11,6 +11,8 @@ struct TeKeyEvent {
   bool control = false;
   bool alt = false;
 
+  static TeKeyEvent of(const SoKeyboardEvent& event);
+
   friend bool operator==(const TeKeyEvent& a, const TeKeyEvent& b) {
     return a.key == b.key && a.down == b.down && a.shift == b.shift && a.control == b.control &&
            a.alt == b.alt;
