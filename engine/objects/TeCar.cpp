@@ -162,6 +162,11 @@ bool TeCar::moving() const {
 }
 
 bool TeCar::handleEvent(const TeKeyEvent& event) {
+  if (event.key == SoKeyboardEvent::T) {
+    if (event.down)
+      setAuto(!isAuto());
+    return true;
+  }
   TeCarControls controls = isAuto() ? TeCarControls() : m_controls;
   if (!controls.handleEvent(event))
     return false;
@@ -172,6 +177,13 @@ bool TeCar::handleEvent(const TeKeyEvent& event) {
   m_controls = controls;
   wake();
   return true;
+}
+
+void TeCar::releaseKeys() {
+  if (!m_controls.anyKey())
+    return;
+  m_controls.release();
+  wake();
 }
 
 SoNode* TeCar::drawModel() {
@@ -216,7 +228,11 @@ std::vector<std::string> TeCar::hudLines() const {
           line("slope %+.0f°  %s", std::asin(std::clamp(forward.z, -1.0, 1.0)) * kDegrees, note)};
 }
 
-std::vector<std::string> TeCar::helpLines() const { return TeCarControls::helpLines(); }
+std::vector<std::string> TeCar::helpLines() const {
+  std::vector<std::string> lines = TeCarControls::helpLines();
+  lines.push_back("T          drive by itself");
+  return lines;
+}
 
 std::uint64_t TeCar::stateHash() const {
   std::uint64_t hash = teHashCombine(TeObject::stateHash(), m_controls.hash());

@@ -42,7 +42,7 @@ public:
   TeStatus setThrottle(double throttle);
   TeStatus setSteering(double steering); ///< -1 full left .. 1 full right
   void setHandBrake(bool pulled);
-  /// Drives by itself (TeAutoDriver), until a key or a setter takes over.
+  /// Drives by itself (TeAutoDriver), until a driving key or a setter takes over; key T, too.
   void setAuto(bool automatic);
   bool isAuto() const { return m_driver.has_value(); }
 
@@ -61,9 +61,10 @@ public:
   bool moving() const override;
   bool needsGround() const override { return true; }
   bool handleEvent(const TeKeyEvent& event) override;
+  void releaseKeys() override;
   SoNode* drawModel() override;
   TeCollisionShape collisionShape() const override;
-  glm::dvec3 firstPersonOffset() const override { return {-0.35, -0.1, 1.45}; }
+  glm::dvec3 firstPersonOffset() const override { return {-0.35, 0.1, 1.5}; }
   glm::dvec3 thirdPersonOffset() const override { return {0, -9, 3.2}; }
   std::vector<std::string> hudLines() const override;
   std::vector<std::string> helpLines() const override;

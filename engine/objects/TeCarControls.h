@@ -18,6 +18,7 @@ struct TeCarControls {
   void release() { *this = TeCarControls(); }
   static std::vector<std::string> helpLines();
 
+  bool anyKey() const { return m_keys.any(); }
   bool neutral() const { return throttle == 0 && steering == 0 && !handBrake; }
   /// Of what is steered by and of the keys that are held.
   std::uint64_t hash() const;

@@ -274,6 +274,25 @@ TEST(TeCar, AKeyTakesOverFromTheAutomaticDriver) {
   EXPECT_FALSE(road.car().isAuto());
   road.drive(5);
   EXPECT_EQ(road.car().speed(), 0);
+  EXPECT_TRUE(road.car().handleEvent(keyEvent(SoKeyboardEvent::T, true)));
+  EXPECT_TRUE(road.car().handleEvent(keyEvent(SoKeyboardEvent::T, false)));
+  EXPECT_TRUE(road.car().isAuto());
+  road.drive(3);
+  EXPECT_GT(road.car().speed(), 5);
+}
+
+TEST(TeCar, ALostKeyboardReleasesItsKeys) {
+  TeTestRoad road(kFlat);
+  road.start({0, 0});
+  road.car().handleEvent(keyEvent(SoKeyboardEvent::UP_ARROW, true));
+  road.drive(1);
+  road.car().releaseKeys();
+  road.drive(10);
+  EXPECT_FALSE(road.car().moving());
+  ASSERT_TRUE(road.car().setThrottle(0.5));
+  road.car().releaseKeys();
+  road.drive(1);
+  EXPECT_GT(road.car().speed(), 1) << "what a program has set is no key";
 }
 
 TEST(TeCar, SettersSayWhatTheyRefuse) {
