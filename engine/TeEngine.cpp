@@ -1,9 +1,12 @@
 #include "engine/TeEngine.h"
 
+#include "engine/TeEngineRuntime.h"
 #include "generators/TeGeneratorRegistry.h"
+#include "generators/base/TeHash.h"
 #include "generators/base/TeLog.h"
 
 #include <Inventor/SoDB.h>
+#include <Inventor/actions/SoSearchAction.h>
 
 #include <cmath>
 
@@ -20,6 +23,14 @@ TeResult<TeLattice> latticeOf(const SbVec2s& samples, const SbVec2f& area) {
     return TeError{"TeEngine: source maps of " + given + " samples: at least " +
                    std::to_string(TeLattice::kMinSamples) + " a side"};
   return TeLattice::create(samples[0], double(area[0]) / (samples[0] - 1));
+}
+
+bool isBelow(SoNode* root, SoNode* node) {
+  SoSearchAction search;
+  search.setNode(node);
+  search.setSearchingAll(TRUE);
+  search.apply(root);
+  return search.getPath() != nullptr;
 }
 
 } // namespace
@@ -44,14 +55,14 @@ SbBool TeEngine::fail(const TeError& error) {
 }
 
 SbBool TeEngine::setSeed(std::uint64_t seed) {
-  if (!m_patches.empty())
+  if (!m_patches.empty() || m_runtime)
     return fail({"TeEngine: the seed cannot change once there are patches"});
   m_seed = seed;
   return isValid() ? createDatabase() : FALSE;
 }
 
 SbBool TeEngine::setBlending(TeBlendProfile profile) {
-  if (!m_patches.empty())
+  if (!m_patches.empty() || m_runtime)
     return fail({"TeEngine: the blending cannot change once there are patches"});
   m_blending = profile;
   return isValid() ? createDatabase() : FALSE;
@@ -151,4 +162,225 @@ TePatchGraphBuilder* TeEngine::getGraphBuilder() {
 TeNodePtr<SoSeparator> TeEngine::makeGraph(const TePatchMesh& mesh) {
   TePatchGraphBuilder* builder = getGraphBuilder();
   return builder ? builder->build(mesh) : nullptr;
+}
+
+SbBool TeEngine::checkSetting(bool good, const std::string& setting) {
+  return good ? TRUE : fail({"TeEngine: " + setting});
+}
+
+SbBool TeEngine::checkEarly(const std::string& setting) {
+  return checkSetting(!m_runtime, setting + " cannot change once the engine is initialised");
+}
+
+SbBool TeEngine::setSceneRoot(SoSeparator* root) {
+  if (!checkEarly("the scene root"))
+    return FALSE;
+  m_settings.sceneRoot = TeNodePtr<SoSeparator>(root);
+  return TRUE;
+}
+
+SbBool TeEngine::setSceneCamera(SoPerspectiveCamera* camera) {
+  if (!checkEarly("the scene camera"))
+    return FALSE;
+  m_settings.sceneCamera = TeNodePtr<SoPerspectiveCamera>(camera);
+  return TRUE;
+}
+
+SbBool TeEngine::setHudRoot(SoSeparator* root) {
+  if (!checkEarly("the HUD root"))
+    return FALSE;
+  m_settings.hudRoot = TeNodePtr<SoSeparator>(root);
+  return TRUE;
+}
+
+SbBool TeEngine::setHudCamera(SoOrthographicCamera* camera) {
+  if (!checkEarly("the HUD camera"))
+    return FALSE;
+  m_settings.hudCamera = TeNodePtr<SoOrthographicCamera>(camera);
+  return TRUE;
+}
+
+TeObject* TeEngine::addObject(std::unique_ptr<TeObject> object) {
+  const TeResult<TeObject*> added = m_objects.add(std::move(object));
+  if (!added) {
+    fail(added.error());
+    return nullptr;
+  }
+  if (m_runtime)
+    m_runtime->addObject(**added);
+  return *added;
+}
+
+SbBool TeEngine::removeObject(TeObject* object) {
+  if (object && object == m_settings.active && m_runtime)
+    return fail({"TeEngine: object " + object->name() + " is the active one; make another one active first"});
+  if (!m_objects.contains(object))
+    return fail({"TeEngine: the object to be removed is not one of the engine's"});
+  if (object == m_settings.active)
+    m_settings.active = nullptr;
+  if (m_runtime)
+    m_runtime->removeObject(*object);
+  return m_objects.remove(object);
+}
+
+SbBool TeEngine::setActiveObject(TeObject* object) {
+  if (!m_objects.contains(object))
+    return fail({"TeEngine: the active object has to be one of the engine's"});
+  m_settings.active = object;
+  object->wake();
+  return TRUE;
+}
+
+SbBool TeEngine::setRadius(int radius) {
+  if (!checkSetting(radius >= 1 && radius <= kMaxRadius,
+                    "radius " + std::to_string(radius) + " is not 1 to " + std::to_string(kMaxRadius)))
+    return FALSE;
+  m_settings.radius = radius;
+  if (m_runtime)
+    m_runtime->setRadius(radius);
+  return TRUE;
+}
+
+SbBool TeEngine::setBudget(double seconds) {
+  if (!checkSetting(seconds > 0 && seconds <= 1,
+                    "a budget of " + std::to_string(seconds) + " s is not more than 0 and at most 1"))
+    return FALSE;
+  m_settings.budget = seconds;
+  if (m_runtime)
+    m_runtime->setBudget();
+  return TRUE;
+}
+
+SbBool TeEngine::setUnitBudget(int units) {
+  if (!checkSetting(units >= 0, "a budget of " + std::to_string(units) + " units is below 0"))
+    return FALSE;
+  m_settings.unitBudget = units;
+  if (m_runtime)
+    m_runtime->setBudget();
+  return TRUE;
+}
+
+SbBool TeEngine::setFrameRate(double framesPerSecond) {
+  if (!checkSetting(framesPerSecond == 0 || (framesPerSecond >= 1 && framesPerSecond <= kMaxFrameRate),
+                    "a frame rate of " + std::to_string(framesPerSecond) + " is neither 0 nor 1 to " +
+                        std::to_string(int(kMaxFrameRate))))
+    return FALSE;
+  m_settings.frameRate = framesPerSecond;
+  if (m_runtime)
+    m_runtime->setBudget();
+  return TRUE;
+}
+
+SbBool TeEngine::setWorkers(int workers) {
+  if (!checkEarly("the number of workers") ||
+      !checkSetting(workers >= 0 && workers <= kMaxWorkers,
+                    std::to_string(workers) + " workers are not 0 to " + std::to_string(kMaxWorkers)))
+    return FALSE;
+  m_settings.workers = workers;
+  return TRUE;
+}
+
+void TeEngine::setColours(const TeSurfaceColours& colours) {
+  m_settings.colours = colours;
+  if (m_runtime)
+    m_runtime->setColours(colours);
+}
+
+SbBool TeEngine::initialize() {
+  if (m_runtime)
+    return fail({"TeEngine: initialize() was called before"});
+  std::string missing;
+  const auto need = [&missing](bool there, const char* what) {
+    if (!there)
+      missing += (missing.empty() ? "" : ", ") + std::string(what);
+  };
+  need(isValid(), "a usable size of patches (the constructor's arguments)");
+  need(SoDB::isInitialized(), "SoDB::init()");
+  need(bool(m_settings.sceneRoot), "the scene root");
+  need(bool(m_settings.sceneCamera), "the scene camera");
+  need(m_settings.active != nullptr, "an active object");
+  need(!m_settings.hudRoot || m_settings.hudCamera, "the HUD camera");
+  need(m_settings.hudRoot || !m_settings.hudCamera, "the HUD root");
+  if (!missing.empty())
+    return fail({"TeEngine: cannot be initialised without " + missing});
+  if (!isBelow(m_settings.sceneRoot.get(), m_settings.sceneCamera.get()))
+    return fail({"TeEngine: the scene camera is not below the scene root"});
+  if (!updateParams())
+    return FALSE;
+  auto runtime =
+      std::make_unique<TeEngineRuntime>(m_settings, *m_database, m_objects, m_rig, getHud(),
+                                        [this](const TePatchKey& key) { return m_patches.count(key) > 0; });
+  if (const TeStatus ok = runtime->start(); !ok)
+    return fail(ok.error());
+  m_runtime = std::move(runtime);
+  return TRUE;
+}
+
+SbBool TeEngine::timeTick(double dt) {
+  if (!m_runtime)
+    return fail({"TeEngine: timeTick() needs initialize() first"});
+  if (!updateParams())
+    return FALSE;
+  const TeStatus ok = m_runtime->tick(dt);
+  return ok ? TRUE : fail(ok.error());
+}
+
+void TeEngine::finishJobs() {
+  if (m_runtime)
+    m_runtime->finishJobs();
+}
+
+bool TeEngine::isIdle() const { return !m_runtime || m_runtime->isIdle(); }
+
+bool TeEngine::needsRedraw() const { return m_runtime && m_runtime->needsRedraw(); }
+
+void TeEngine::frameDrawn(double frameSeconds, double drawSeconds) {
+  if (m_runtime)
+    m_runtime->frameDrawn(frameSeconds, drawSeconds);
+}
+
+void TeEngine::postKey(const TeKeyEvent& event) {
+  if (m_runtime)
+    m_runtime->postKey(event);
+}
+
+void TeEngine::addJob(std::unique_ptr<TeJob> job) {
+  if (m_runtime && job)
+    m_runtime->addJob(std::move(job));
+}
+
+SbBool TeEngine::setPaused(SbBool paused) {
+  if (!m_runtime)
+    return FALSE;
+  m_runtime->setPaused(paused);
+  return TRUE;
+}
+
+SbBool TeEngine::isPaused() const { return m_runtime && m_runtime->isPaused(); }
+
+SbBool TeEngine::setWireframe(SbBool wireframe) {
+  if (!m_runtime)
+    return FALSE;
+  m_runtime->setWireframe(wireframe);
+  return TRUE;
+}
+
+SbBool TeEngine::isWireframe() const { return m_runtime && m_runtime->isWireframe(); }
+
+TeHud& TeEngine::getHud() {
+  if (!m_hud)
+    m_hud = std::make_unique<TeHud>();
+  return *m_hud;
+}
+
+const TeStatistics& TeEngine::getStatistics() const {
+  static const TeStatistics none;
+  return m_runtime ? m_runtime->statistics() : none;
+}
+
+std::uint64_t TeEngine::stateHash(bool withTerrain) const {
+  std::uint64_t hash = teHashCombine(m_objects.stateHash(), m_rig.stateHash());
+  if (withTerrain && m_runtime)
+    hash = teHashCombine(hash, m_runtime->terrainHash());
+  return hash;
 }

@@ -1,8 +1,12 @@
 #pragma once
 
+#include "engine/TeEngineSettings.h"
 #include "engine/TePatch.h"
 #include "engine/TeStatistics.h"
-#include "engine/input/TeKeyEvent.h"
+#include "engine/camera/TeCameraRig.h"
+#include "engine/hud/TeHud.h"
+#include "engine/jobs/TeJob.h"
+#include "engine/objects/TeObjects.h"
 #include "generators/TeGenerator.h"
 #include "nodes/TePatchGraphBuilder.h"
 #include "patchdb/TePatchDatabase.h"
@@ -11,19 +15,12 @@
 #include <Inventor/SbVec2f.h>
 #include <Inventor/SbVec2s.h>
 
-#include <functional>
 #include <memory>
 #include <string>
 #include <unordered_map>
 #include <vector>
 
-class SoGroup;
-class SoOrthographicCamera;
-class SoPerspectiveCamera;
-class TeCameraRig;
-class TeHud;
-class TeJob;
-class TeObject;
+class TeEngineRuntime;
 
 /// An endless terrain for an Inventor program, with the calls of document 002.
 ///
@@ -48,13 +45,15 @@ class TeObject;
 ///     engine->timeTick(dt);                   // before every frame; or a TeEngineLoop does it
 class TeEngine {
 public:
-  /// A patch that came or went.
-  using PatchCallback = std::function<void(const TePatchData& patch, SoGroup* graph)>;
-  using ErrorCallback = std::function<void(const std::string& message)>;
-  /// After all objects were updated; `dt` is the simulated time of the tick.
-  using CollisionHook = std::function<void(double dt)>;
+  /// A patch became known (heightAt() and the like work there) or was forgotten. `graph`: what is in the
+  /// scene as long as the patch belongs to the block; a program may add its own nodes.
+  using PatchCallback = TeEngineSettings::PatchCallback;
+  /// A patch that cannot be made, an object that was stopped.
+  using ErrorCallback = TeEngineSettings::ErrorCallback;
+  /// After objects were updated; `dt` is the simulated time of the tick. Not called while none moves.
+  using CollisionHook = TeEngineSettings::CollisionHook;
   /// True if the key meant something to it.
-  using KeyCallback = std::function<bool(const TeKeyEvent& event)>;
+  using KeyCallback = TeEngineSettings::KeyCallback;
 
   /// `samples`: of a source map, both sides equal and odd, 5 .. 16385. `area`: metres that a source map
   /// covers, both sides equal; a patch covers half a side, here 32×32 m. Bad arguments: isValid() is FALSE
@@ -99,13 +98,14 @@ public:
   /// make a new one.
   const TePatchDatabase* getDatabase() const { return m_database.get(); }
 
-  // Endless terrain. What is set here has to be set before initialize(), unless it says otherwise.
+  // Endless terrain. What is set here has to be set before initialize(), unless it says otherwise; FALSE, and
+  // nothing changed: a value out of range, or too late.
 
   /// Where terrain and objects are added, at the end. The engine holds references to all these nodes.
-  void setSceneRoot(SoSeparator* root);
-  void setSceneCamera(SoPerspectiveCamera* camera);
-  void setHudRoot(SoSeparator* root);
-  void setHudCamera(SoOrthographicCamera* camera);
+  SbBool setSceneRoot(SoSeparator* root);
+  SbBool setSceneCamera(SoPerspectiveCamera* camera); ///< somewhere below the scene root
+  SbBool setHudRoot(SoSeparator* root);
+  SbBool setHudCamera(SoOrthographicCamera* camera);
 
   /// The engine owns the object. At any time. NULL: no object, or a place that is not finite.
   TeObject* addObject(std::unique_ptr<TeObject> object);
@@ -113,23 +113,26 @@ public:
   SbBool removeObject(TeObject* object);
   /// The object that the camera follows, that has the keys, and around which terrain is shown. At any time.
   SbBool setActiveObject(TeObject* object);
-  TeObject* getActiveObject() const;
+  TeObject* getActiveObject() const { return m_settings.active; }
+  const TeObjects& getObjects() const { return m_objects; }
 
   /// The block has (2r + 1)² patches; 1 .. kMaxRadius, by default 1. At any time.
   SbBool setRadius(int radius);
   /// CPU seconds that a tick may spend, more than 0 and at most 1; kDefaultBudget by default. At any time.
   SbBool setBudget(double seconds);
-  /// Units of work instead of time, so that runs repeat to the bit; 0 = time. At any time.
+  /// Units of work a tick instead of time, so that runs repeat to the bit; 0 = time. At any time.
   SbBool setUnitBudget(int units);
   /// Wanted frames a second: the budget then adapts to what drawing leaves of a frame. 0 = a fixed budget.
   SbBool setFrameRate(double framesPerSecond);
-  /// Threads that fill plain arrays; 0 by default, at most kMaxWorkers.
+  /// Threads that fill source maps; 0 by default, at most kMaxWorkers.
   SbBool setWorkers(int workers);
+  /// Of terrain made from now on; by default rock and snow lines that suit the world. At any time.
+  void setColours(const TeSurfaceColours& colours);
 
   /// Checks that everything is there and that it fits together, builds the patch below the active object, and
   /// fills the scene roots. FALSE: lastError() says all that is missing.
   SbBool initialize();
-  SbBool isInitialized() const;
+  SbBool isInitialized() const { return m_runtime != nullptr; }
   /// One turn of the loop: events, objects, the collision hook, terrain below each object, slices of
   /// generation, hand-over to the scene, call-backs, statistics. FALSE, and nothing done: not initialised; dt
   /// is negative or not finite. Of more than TeObjects::kLongestTick seconds the rest is dropped.
@@ -148,32 +151,41 @@ public:
 
   /// Queues a key for the next tick.
   void postKey(const TeKeyEvent& event);
+  // Call-backs come at the end of a tick (keys: at its beginning), and may call the engine. At any time.
+
   /// Gets the keys that neither the active object, the camera nor the engine uses.
-  void setKeyCallback(KeyCallback callback);
-  void setPatchReadyCallback(PatchCallback callback);
-  void setPatchDroppedCallback(PatchCallback callback);
-  void setErrorCallback(ErrorCallback callback);
-  void setCollisionHook(CollisionHook hook);
+  void setKeyCallback(KeyCallback callback) { m_settings.key = std::move(callback); }
+  void setPatchReadyCallback(PatchCallback callback) { m_settings.patchReady = std::move(callback); }
+  void setPatchDroppedCallback(PatchCallback callback) { m_settings.patchDropped = std::move(callback); }
+  void setErrorCallback(ErrorCallback callback) { m_settings.error = std::move(callback); }
+  void setCollisionHook(CollisionHook hook) { m_settings.collisions = std::move(hook); }
   /// Work of the program's own, of kind TeJobKind::Other. The engine owns it.
   void addJob(std::unique_ptr<TeJob> job);
 
-  SbBool setPaused(SbBool paused);
+  // Only once initialised.
+  SbBool setPaused(SbBool paused); ///< objects stand still; terrain is made all the same
   SbBool isPaused() const;
   SbBool setWireframe(SbBool wireframe);
   SbBool isWireframe() const;
-  TeCameraRig& getCameraRig();
+  const TeStatistics& getStatistics() const; ///< all 0 before
+
+  TeCameraRig& getCameraRig() { return m_rig; }
+  /// After SoDB::init().
   TeHud& getHud();
-  const TeStatistics& getStatistics() const;
   /// Of all objects and the camera; after finishJobs() with withTerrain of every patch of the block, too.
   std::uint64_t stateHash(bool withTerrain = false) const;
 
   static constexpr int kMaxRadius = 64;
   static constexpr int kMaxWorkers = 64;
   static constexpr double kDefaultBudget = 0.004;
+  static constexpr double kMaxFrameRate = 1000;
 
 private:
   friend class TePatch;
   SbBool fail(const TeError& error);
+  /// Says what setting is out of range, or too late.
+  SbBool checkSetting(bool good, const std::string& setting);
+  SbBool checkEarly(const std::string& setting);
   /// Hands the generator's present parameters to the database.
   SbBool updateParams();
   SbBool createDatabase();
@@ -191,4 +203,10 @@ private:
   std::unique_ptr<TePatchGraphBuilder> m_graphs; ///< made when first needed
   std::unordered_map<TePatchKey, std::unique_ptr<TePatch>, TePatchKeyHash> m_patches;
   std::string m_lastError;
+
+  TeEngineSettings m_settings;
+  TeObjects m_objects;
+  TeCameraRig m_rig;
+  std::unique_ptr<TeHud> m_hud;               ///< made when first needed, for it needs Coin
+  std::unique_ptr<TeEngineRuntime> m_runtime; ///< refers to all of the above
 };

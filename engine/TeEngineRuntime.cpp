@@ -1,0 +1,331 @@
+#include "engine/TeEngineRuntime.h"
+
+#include "engine/hud/TeHudLines.h"
+#include "generators/base/TeLog.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace {
+
+/// Numbers that change every frame cannot be read.
+constexpr double kHudSeconds = 0.1;
+/// Part of a tick's allowance that may go into buffers for the next anchor.
+constexpr double kAnchorShare = 0.25;
+constexpr std::size_t kAnchorBytes = 1 << 18; ///< where work is counted in units
+
+void keepLargest(TeStatistics::Memory& peak, const TeStatistics::Memory& now) {
+  peak.maps = std::max(peak.maps, now.maps);
+  peak.heights = std::max(peak.heights, now.heights);
+  peak.meshes = std::max(peak.meshes, now.meshes);
+  peak.buffers = std::max(peak.buffers, now.buffers);
+  peak.records = std::max(peak.records, now.records);
+}
+
+/// Rock and snow lines that suit a world, judged by the source maps of one of its patches.
+TeSurfaceColours coloursOf(const TePatchData& patch) {
+  double mean = 0;
+  float highest = patch.maximum();
+  int maps = 0;
+  for (const TeSourceMapPtr& map : patch.maps())
+    if (map) {
+      const TeMapStatistics statistics = map->heights.statistics();
+      mean += statistics.mean;
+      highest = std::max(highest, statistics.maximum);
+      ++maps;
+    }
+  return TeSurfaceColours::forHeights(maps > 0 ? float(mean / maps) : patch.minimum(), highest);
+}
+
+} // namespace
+
+TeEngineRuntime::TeEngineRuntime(TeEngineSettings& settings, TePatchDatabase& database, TeObjects& objects,
+                                 TeCameraRig& rig, TeHud& hud, TeTerrain::Held held)
+    : m_settings(settings), m_database(database), m_objects(objects), m_rig(rig), m_hud(hud),
+      m_maps(database), m_scene(database.lattice(), settings.active->position()),
+      m_terrain(database, m_scene, m_queue, m_maps, std::move(held)) {
+  m_terrain.setRadius(settings.radius);
+  setBudget();
+}
+
+TeEngineRuntime::~TeEngineRuntime() {
+  m_settings.sceneRoot->removeChild(m_scene.root());
+  m_settings.sceneRoot->removeChild(m_objectScene.root());
+}
+
+TeStatus TeEngineRuntime::start() {
+  if (const TeStatus ok = m_maps.setWorkers(m_settings.workers); !ok)
+    return ok;
+  const glm::dvec3& position = m_settings.active->position();
+  const TeResult<TePatchKey> key = tePatchAt(m_database.lattice(), {position.x, position.y});
+  if (!key)
+    return key.error();
+  if (const TeStatus ok = m_terrain.build(*key); !ok)
+    return ok;
+  m_terrain.setColours(m_settings.colours ? *m_settings.colours : coloursOf(*m_database.find(*key)));
+  m_settings.sceneRoot->addChild(m_scene.root());
+  m_settings.sceneRoot->addChild(m_objectScene.root());
+  if (m_settings.hudRoot)
+    if (const TeStatus ok = m_hud.attach(m_settings.hudRoot.get(), m_settings.hudCamera.get()); !ok)
+      return ok;
+  for (const auto& object : m_objects.all())
+    addObject(*object);
+  followObject(0);
+  m_scene.jump(m_rig.eye());
+  m_objectScene.placeAll(m_scene.origin());
+  updateCamera();
+  updateStatistics();
+  updateHud();
+  return {};
+}
+
+void TeEngineRuntime::setBudget() { m_maps.setFixedJoin(m_settings.unitBudget > 0); }
+
+void TeEngineRuntime::setRadius(int radius) { m_terrain.setRadius(radius); }
+
+void TeEngineRuntime::setWireframe(bool wireframe) {
+  m_wireframe = wireframe;
+  m_scene.setWireframe(wireframe);
+  m_changed = true;
+}
+
+void TeEngineRuntime::addObject(TeObject& object) {
+  m_objectScene.add(object, m_scene.origin());
+  m_terrain.place(object);
+  m_changed = true;
+}
+
+void TeEngineRuntime::removeObject(const TeObject& object) {
+  m_objectScene.remove(object);
+  m_terrain.forget(object);
+  m_changed = true;
+}
+
+TeStatus TeEngineRuntime::tick(double dt) {
+  if (!(dt >= 0) || std::isinf(dt))
+    return TeError{"time of a tick: " + std::to_string(dt) + " s is not a number of at least 0"};
+  closeTick();
+  const double begin = teThreadCpuSeconds();
+  handleKeys();
+  if (const TeStatus ok = simulate(m_paused ? 0 : dt); !ok)
+    return ok;
+  followObject(dt);
+  TeAllowance slice = allowance();
+  work(slice);
+  updateCamera();
+  updateStatistics();
+  updateHud();
+  ++m_statistics.ticks;
+  m_statistics.tickSeconds = teThreadCpuSeconds() - begin;
+  m_tickOpen = true;
+  callBack();
+  return {};
+}
+
+void TeEngineRuntime::closeTick() {
+  if (!std::exchange(m_tickOpen, false))
+    return;
+  const TeMeshDrawing::Frame& frame = m_scene.drawing()->frame();
+  m_statistics.drawing = {frame.meshesDrawn, frame.meshesCulled,  frame.triangles,
+                          frame.uploads,     frame.bytesUploaded, frame.uploadSeconds};
+  m_statistics.tickSeconds += frame.uploadSeconds;
+  m_statistics.worstTickSeconds = std::max(m_statistics.worstTickSeconds, m_statistics.tickSeconds);
+  if (m_statistics.tickSeconds > m_statistics.budgetSeconds)
+    ++m_statistics.ticksOverBudget;
+}
+
+void TeEngineRuntime::frameDrawn(double frameSeconds, double drawSeconds) {
+  closeTick();
+  m_changed = false;
+  ++m_statistics.redraws;
+  m_statistics.frameSeconds = frameSeconds;
+  (void)drawSeconds;
+}
+
+void TeEngineRuntime::handleKeys() {
+  // A key's handling may post others, for the next tick.
+  m_handled.swap(m_keys);
+  for (const TeKeyEvent& event : m_handled) {
+    const bool isNew = event.down ? m_pressed.insert(event.key).second : m_pressed.erase(event.key) > 0;
+    if (isNew)
+      handleKey(event);
+  }
+  m_handled.clear();
+}
+
+void TeEngineRuntime::handleKey(const TeKeyEvent& event) {
+  m_hudIsOld = true;
+  if (m_settings.active->handleEvent(event) || m_rig.handleEvent(event))
+    return;
+  if (event.down) {
+    switch (event.key) {
+    case SoKeyboardEvent::F1:
+    case SoKeyboardEvent::SLASH:
+      m_hud.showHelp(!m_hud.isHelpShown());
+      return;
+    case SoKeyboardEvent::P:
+      m_paused = !m_paused;
+      return;
+    case SoKeyboardEvent::H:
+      m_hud.setVisible(!m_hud.isVisible());
+      return;
+    case SoKeyboardEvent::W:
+    case SoKeyboardEvent::F3:
+    case SoKeyboardEvent::X:
+      setWireframe(!m_wireframe);
+      return;
+    default:
+      break;
+    }
+  }
+  if (m_settings.key)
+    m_settings.key(event);
+}
+
+TeStatus TeEngineRuntime::simulate(double dt) {
+  placeObjects(); // those that a program has moved
+  const TeResult<TeObjects::Tick> done = m_objects.update(dt, m_database);
+  if (!done)
+    return done.error();
+  m_statistics.simulatedSeconds += done->simulated;
+  m_statistics.droppedSeconds += done->dropped;
+  m_statistics.objectsHeld += done->held;
+  for (const std::string& message : done->errors)
+    if (m_settings.error)
+      m_settings.error(message);
+  for (const TeObject* object : m_objects.touched()) {
+    m_terrain.place(*object);
+    m_objectScene.place(*object, m_scene.origin());
+  }
+  m_changed = m_changed || !m_objects.touched().empty();
+  if (m_settings.collisions && done->simulated > 0 && !m_objects.touched().empty()) {
+    m_settings.collisions(done->simulated);
+    placeObjects();
+  }
+  return {};
+}
+
+void TeEngineRuntime::placeObjects() {
+  for (const TeObject* object : m_objects.awake()) {
+    m_terrain.place(*object);
+    m_objectScene.place(*object, m_scene.origin());
+  }
+}
+
+void TeEngineRuntime::followObject(double dt) {
+  const TeObject& object = *m_settings.active;
+  m_rig.update(std::min(dt, TeObjects::kLongestTick));
+  m_rig.follow(object, m_database);
+  const SoPerspectiveCamera& camera = *m_settings.sceneCamera;
+  const TeTerrainView view{object.position(), object.velocity(),
+                           TeViewFrustum(m_rig.eye(), m_rig.orientation(), camera.heightAngle.getValue(),
+                                         camera.aspectRatio.getValue())};
+  if (m_terrain.follow(view)) {
+    m_scene.jump(m_rig.eye());
+    m_objectScene.placeAll(m_scene.origin());
+  } else if (m_scene.follow(m_rig.eye(), m_terrain.block().radius)) {
+    m_objectScene.placeAll(m_scene.origin());
+  }
+}
+
+TeAllowance TeEngineRuntime::allowance() const {
+  return m_settings.unitBudget > 0 ? TeAllowance::units(m_settings.unitBudget)
+                                   : TeAllowance::seconds(m_settings.budget);
+}
+
+void TeEngineRuntime::work(TeAllowance& allowance) {
+  TeMeshDrawing& drawing = *m_scene.drawing();
+  const double anchorSeconds = kAnchorShare * m_settings.budget;
+  std::size_t anchorBytes = 0;
+  if (drawing.changesAnchor()) {
+    anchorBytes =
+        m_settings.unitBudget > 0 ? kAnchorBytes : std::size_t(anchorSeconds / drawing.secondsPerByte());
+    allowance.charge(anchorSeconds, 0);
+  }
+  drawing.resetFrame(anchorBytes);
+  m_maps.beginTick();
+  m_terrain.work(allowance);
+  m_changed = m_terrain.takeChanged() || drawing.changesAnchor() || m_changed;
+}
+
+void TeEngineRuntime::updateCamera() {
+  const TeObject& object = *m_settings.active;
+  const bool inside = m_rig.person() == TeCameraRig::Person::First;
+  m_objectScene.setHidden(inside ? &object : nullptr);
+  const double reach = (m_terrain.block().radius + 1) * m_database.lattice().patchSide() * std::sqrt(2.0);
+  m_rig.apply(*m_settings.sceneCamera, m_scene.origin(),
+              TeClipRange::of(reach, m_rig.heightAboveGround(), inside ? 0 : m_rig.objectDistance()));
+  const std::uint64_t hash = m_rig.stateHash();
+  m_changed = m_changed || hash != m_viewHash;
+  m_viewHash = hash;
+}
+
+void TeEngineRuntime::updateStatistics() {
+  const TeObject& object = *m_settings.active;
+  m_statistics.budgetSeconds = m_settings.budget;
+  const std::optional<double> ground = m_database.heightAt({object.position().x, object.position().y});
+  m_statistics.heightAboveGround =
+      ground ? object.position().z - *ground : std::numeric_limits<double>::quiet_NaN();
+  if (!m_terrain.hasGround(object.position()))
+    ++m_statistics.framesWithoutGround;
+  m_terrain.count(m_statistics);
+  if (m_statistics.patches.missingInView > 0)
+    ++m_statistics.framesWithMissingInView;
+  m_queue.count(m_statistics.jobs);
+  m_statistics.jobs.mapsMade = m_maps.mapsMade();
+  m_statistics.jobs.mapsShared = m_maps.mapsShared();
+  keepLargest(m_statistics.peak, m_statistics.memory);
+}
+
+void TeEngineRuntime::updateHud() {
+  if (!m_settings.hudRoot)
+    return;
+  const double time = m_objects.time();
+  if (m_hudIsOld || time >= m_hudTime + kHudSeconds) {
+    m_hud.setLines(teHudLines(*m_settings.active, m_statistics));
+    m_hudTime = time;
+    m_hudIsOld = false;
+  }
+  m_changed = m_changed || m_hud.changes() != m_hudChanges;
+  m_hudChanges = m_hud.changes();
+}
+
+void TeEngineRuntime::callBack() {
+  for (const TeTerrain::Event& event : m_terrain.takeEvents()) {
+    switch (event.kind) {
+    case TeTerrain::Event::Kind::Ready:
+      if (m_settings.patchReady)
+        m_settings.patchReady(event.key, event.graph.get());
+      break;
+    case TeTerrain::Event::Kind::Dropped:
+      if (m_settings.patchDropped)
+        m_settings.patchDropped(event.key, event.graph.get());
+      break;
+    case TeTerrain::Event::Kind::Failed:
+      TeLog::error(event.message);
+      if (m_settings.error)
+        m_settings.error(event.message);
+      break;
+    }
+  }
+}
+
+void TeEngineRuntime::finishJobs() {
+  do {
+    TeAllowance all = TeAllowance::unlimited();
+    work(all);
+    m_maps.joinAll();
+  } while (!m_queue.empty());
+  m_scene.finishAnchor();
+  followObject(0);
+  updateCamera();
+  updateStatistics();
+  m_hudIsOld = true;
+  updateHud();
+  callBack();
+}
+
+bool TeEngineRuntime::isIdle() const {
+  return (m_paused || !m_objects.anyAwake()) && m_keys.empty() && !m_rig.moving() && m_terrain.idle();
+}

@@ -1,0 +1,42 @@
+#pragma once
+
+#include "engine/input/TeKeyEvent.h"
+#include "nodes/TeNodePtr.h"
+#include "nodes/TeSurfaceColours.h"
+#include "patchdb/TePatchKey.h"
+
+#include <Inventor/nodes/SoGroup.h>
+#include <Inventor/nodes/SoOrthographicCamera.h>
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoSeparator.h>
+
+#include <functional>
+#include <optional>
+#include <string>
+
+class TeObject;
+
+/// What a program has told a TeEngine about its endless terrain.
+struct TeEngineSettings {
+  using PatchCallback = std::function<void(const TePatchKey& key, SoGroup* graph)>;
+  using ErrorCallback = std::function<void(const std::string& message)>;
+  using CollisionHook = std::function<void(double dt)>;
+  using KeyCallback = std::function<bool(const TeKeyEvent& event)>;
+
+  TeNodePtr<SoSeparator> sceneRoot;
+  TeNodePtr<SoPerspectiveCamera> sceneCamera;
+  TeNodePtr<SoSeparator> hudRoot;
+  TeNodePtr<SoOrthographicCamera> hudCamera;
+  TeObject* active = nullptr;
+  std::optional<TeSurfaceColours> colours;
+  int radius = 1;
+  double budget = 0.004; ///< seconds
+  int unitBudget = 0;    ///< 0 = time
+  double frameRate = 0;  ///< 0 = a fixed budget
+  int workers = 0;
+  PatchCallback patchReady;
+  PatchCallback patchDropped;
+  ErrorCallback error;
+  CollisionHook collisions;
+  KeyCallback key;
+};

@@ -1,0 +1,137 @@
+#pragma once
+
+#include "engine/TeStatistics.h"
+#include "engine/jobs/TeJobQueue.h"
+#include "engine/jobs/TeMapMaker.h"
+#include "engine/terrain/TeGroundPins.h"
+#include "engine/terrain/TePatchBlock.h"
+#include "engine/terrain/TeTerrainPatch.h"
+#include "engine/terrain/TeTerrainScene.h"
+#include "engine/terrain/TeTerrainView.h"
+#include "nodes/TeSurfaceColours.h"
+
+#include <deque>
+#include <functional>
+#include <unordered_map>
+#include <unordered_set>
+#include <vector>
+
+/// Keeps the right patches known and drawn: the block around the active object, those that will be needed
+/// soon, and one below every other object. What is wanted becomes jobs in the queue; what nobody wants any
+/// more is dropped, a few patches a tick.
+///
+/// A patch within one of the block's rim is kept, so that an object that moves to and fro over an edge has
+/// nothing made again. Source maps are freed with the last of the patches that share them.
+class TeTerrain {
+public:
+  /// Patches that stay known beyond the block's rim.
+  static constexpr int kKeep = 1;
+  static constexpr std::int64_t kBytesPerUnit = 1 << 16; ///< of uploads, where work is counted in units
+  static constexpr std::int64_t kRetryTicks = 100;       ///< after a patch could not be made
+
+  struct Event {
+    enum class Kind { Ready, Dropped, Failed };
+    Kind kind;
+    TePatchKey key;
+    TeNodePtr<SoGroup> graph;
+    std::string message; ///< of Failed
+  };
+  /// Patches that must never be dropped, for a program holds them.
+  using Held = std::function<bool(const TePatchKey& key)>;
+
+  TeTerrain(TePatchDatabase& database, TeTerrainScene& scene, TeJobQueue& queue, TeMapMaker& maps, Held held);
+  ~TeTerrain();
+  TeTerrain(const TeTerrain&) = delete;
+  TeTerrain& operator=(const TeTerrain&) = delete;
+
+  void setRadius(int radius);
+  /// For pieces made from now on.
+  void setColours(const TeSurfaceColours& colours) { m_colours = colours; }
+
+  /// The patch below an object is wanted from now on, wherever it is.
+  void place(const TeObject& object);
+  void forget(const TeObject& object);
+
+  /// Makes a patch known at once.
+  TeStatus build(const TePatchKey& key);
+  /// Finds what is wanted for this view; changes jobs and scene where that has changed. True if the whole
+  /// block was left behind.
+  bool follow(const TeTerrainView& view);
+  /// Drops what is old, shows what is ready, and works on the queue, within the allowance.
+  void work(TeAllowance& allowance);
+
+  /// Nothing is left to be made, shown or dropped.
+  bool idle() const;
+  /// True once after something in the scene has changed.
+  bool takeChanged() { return std::exchange(m_changed, false); }
+  std::vector<Event> takeEvents() { return std::move(m_events); }
+  const TePatchBlock& block() const { return m_block; }
+  bool hasGround(const glm::dvec3& position) const;
+  void count(TeStatistics& statistics);
+  /// Of the heights of the block's patches.
+  std::uint64_t hash() const;
+
+private:
+  using Patches = std::unordered_map<TePatchKey, TeTerrainPatch, TePatchKeyHash>;
+  struct Shown {
+    TeUrgency urgency;
+    TePatchKey owner;
+    TeTerrainPiece piece;
+  };
+
+  bool drawable(const TePatchKey& key) const { return m_block.contains(key) || m_ahead.count(key) > 0; }
+  bool wanted(const TePatchKey& key) const { return drawable(key) || m_pins.holds(key); }
+  bool kept(const TePatchKey& key) const;
+  bool hasHeights(const TePatchKey& key) const;
+  TeJobKind kindOf(const TePatchKey& key) const;
+  TeUrgency urgencyOf(const TePatchKey& key, TeTerrainPiece piece = TeTerrainPiece::Inside) const;
+  bool inView(const TePatchKey& key) const;
+
+  void replan();
+  void reviewJobs();
+  bool reviewJob(TeJob& job, TeJobKind& kind, TeUrgency& urgency);
+  void want(const TePatchKey& key);
+  void gotHeights(const TePatchKey& key);
+  void finished(TeJob& job, TeProgress progress);
+  void makePiece(const TePatchKey& owner, TeTerrainPiece piece);
+  void updateScene();
+  void updatePatch(const TePatchKey& key, TeTerrainPatch& patch);
+  void show(TeAllowance& allowance);
+  void dropOld(TeAllowance& allowance);
+  void drop(const TePatchKey& key);
+  bool complete(const TePatchKey& key) const;
+  void countBlock();
+
+  TePatchDatabase& m_database;
+  TeTerrainScene& m_scene;
+  TeJobQueue& m_queue;
+  TeMapMaker& m_maps;
+  Held m_held;
+  TeSurfaceColours m_colours;
+  TeTerrainView m_view;
+  TeTerrainView m_reviewedView; ///< for which urgencies were found
+  TePatchBlock m_block;
+  bool m_planned = false;
+  std::vector<TePatchKey> m_centres; ///< of blocks foreseen
+  std::unordered_set<TePatchKey, TePatchKeyHash> m_ahead;
+  TeGroundPins m_pins;
+  bool m_pinsChanged = false;
+  Patches m_patches;
+  std::vector<Shown> m_toShow;
+  std::deque<TePatchKey> m_toDrop;
+  std::int64_t m_unitBytes = 0; ///< of uploads that do not make a unit yet
+  std::int64_t m_ticks = 0;
+  float m_lowest = 0; ///< of all patches ever known
+  float m_highest = 0;
+  bool m_changed = false;
+  bool m_blockChanged = false;
+  TeStatistics::Patches m_blockCounts;
+  std::vector<Event> m_events;
+  std::unordered_set<TePatchKey, TePatchKeyHash> m_madeKeys;
+  std::int64_t m_resident = 0;
+  std::int64_t m_made = 0;
+  std::int64_t m_madeAgain = 0;
+  std::int64_t m_dropped = 0;
+  std::size_t m_heightBytes = 0;
+  std::size_t m_meshBytes = 0;
+};

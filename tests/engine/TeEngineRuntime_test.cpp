@@ -1,0 +1,307 @@
+#include "engine/TeEngineRuntime.h"
+
+#include "tests/engine/TeEndlessWorld.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <set>
+
+namespace {
+
+constexpr double kDt = 1.0 / 30;
+
+/// The groups of patches in the scene.
+SoGroup* patchesOf(const TeEndlessWorld& world) {
+  auto* terrain = static_cast<SoGroup*>(world.scene->getChild(world.scene->getNumChildren() - 2));
+  return static_cast<SoGroup*>(terrain->getChild(terrain->getNumChildren() - 1));
+}
+
+int piecesOf(const TeEndlessWorld& world) {
+  int pieces = 0;
+  for (int i = 0; i < patchesOf(world)->getNumChildren(); ++i)
+    pieces += static_cast<SoGroup*>(patchesOf(world)->getChild(i))->getNumChildren();
+  return pieces;
+}
+
+TEST(TeEngineRuntime, WhatIsMissingIsAllSaidAtOnce) {
+  TeEngine engine(SbVec2s(33, 33), SbVec2f(64, 64));
+  EXPECT_FALSE(engine.initialize());
+  for (const char* what : {"scene root", "scene camera", "active object"})
+    EXPECT_NE(engine.lastError().find(what), std::string::npos) << engine.lastError();
+  EXPECT_FALSE(engine.timeTick(kDt));
+  EXPECT_FALSE(engine.isInitialized());
+}
+
+TEST(TeEngineRuntime, ACameraOutsideTheSceneIsAnError) {
+  TeEndlessWorld world;
+  TeNodePtr<SoPerspectiveCamera> elsewhere(new SoPerspectiveCamera);
+  ASSERT_TRUE(world.engine.setSceneCamera(elsewhere.get()));
+  EXPECT_FALSE(world.engine.initialize());
+  EXPECT_NE(world.engine.lastError().find("camera"), std::string::npos);
+}
+
+TEST(TeEngineRuntime, SettingsOutOfRangeAreErrorsAndChangeNothing) {
+  TeEndlessWorld world;
+  const double kNaN = std::numeric_limits<double>::quiet_NaN();
+  for (const double budget : {0.0, -1.0, 1.5, kNaN, std::numeric_limits<double>::infinity()})
+    EXPECT_FALSE(world.engine.setBudget(budget)) << budget;
+  for (const double rate : {-1.0, 0.5, 1e6, kNaN})
+    EXPECT_FALSE(world.engine.setFrameRate(rate)) << rate;
+  EXPECT_FALSE(world.engine.setUnitBudget(-1));
+  EXPECT_FALSE(world.engine.setRadius(0));
+  EXPECT_FALSE(world.engine.setRadius(TeEngine::kMaxRadius + 1));
+  EXPECT_FALSE(world.engine.setWorkers(-1));
+  EXPECT_FALSE(world.engine.setActiveObject(nullptr));
+  EXPECT_FALSE(world.engine.removeObject(nullptr));
+  ASSERT_TRUE(world.engine.initialize()) << world.engine.lastError();
+  EXPECT_DOUBLE_EQ(world.statistics().budgetSeconds, TeEngine::kDefaultBudget);
+  for (const double dt : {-0.1, kNaN, std::numeric_limits<double>::infinity()})
+    EXPECT_FALSE(world.engine.timeTick(dt)) << dt;
+  EXPECT_EQ(world.statistics().ticks, 0);
+  EXPECT_FALSE(world.engine.setSceneRoot(world.scene.get())) << "too late";
+  EXPECT_FALSE(world.engine.setWorkers(2)) << "too late";
+  EXPECT_FALSE(world.engine.setSeed(3)) << "too late";
+}
+
+TEST(TeEngineRuntime, TheGroundIsKnownAtOnceAndTheBlockSoon) {
+  TeEndlessWorld world;
+  ASSERT_TRUE(world.engine.initialize()) << world.engine.lastError();
+  EXPECT_TRUE(world.engine.getDatabase()->heightAt({0, 0}));
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_EQ(world.statistics().framesWithoutGround, 0);
+  world.engine.finishJobs();
+  EXPECT_EQ(world.statistics().patches.drawn, 9);
+  EXPECT_EQ(world.statistics().patches.missing, 0);
+  EXPECT_EQ(patchesOf(world)->getNumChildren(), 9);
+  EXPECT_EQ(piecesOf(world), 9 + 12 + 4) << "insides, seams, corner squares";
+}
+
+TEST(TeEngineRuntime, OnCrossingThePatchBelowBecomesTheMiddle) {
+  TeEndlessWorld world;
+  ASSERT_TRUE(world.engine.initialize());
+  world.engine.finishJobs();
+  std::set<SoNode*> before;
+  for (int i = 0; i < 9; ++i)
+    before.insert(patchesOf(world)->getChild(i));
+
+  ASSERT_TRUE(world.object->setPosition({world.side(), 0, 50}));
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  world.engine.finishJobs();
+  EXPECT_EQ(patchesOf(world)->getNumChildren(), 9);
+  EXPECT_EQ(piecesOf(world), 25);
+  int kept = 0;
+  for (int i = 0; i < 9; ++i)
+    kept += int(before.count(patchesOf(world)->getChild(i)));
+  EXPECT_EQ(kept, 6) << "two columns of three stay";
+}
+
+TEST(TeEngineRuntime, ToAndFroOverAnEdgeNothingIsMadeAgain) {
+  TeEndlessWorld world;
+  ASSERT_TRUE(world.engine.initialize());
+  for (int i = 0; i < 200; ++i) {
+    ASSERT_TRUE(world.object->setPosition({world.side() / 2 + (i % 2 ? 0.1 : -0.1), 0, 50}));
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+  }
+  world.engine.finishJobs();
+  EXPECT_EQ(world.statistics().patches.madeAgain, 0);
+  EXPECT_EQ(world.statistics().patches.dropped, 0);
+}
+
+TEST(TeEngineRuntime, EveryOtherObjectKeepsThePatchBelowIt) {
+  TeEndlessWorld world;
+  TeObject* other = world.engine.addObject(std::make_unique<TeProbe>("other"));
+  ASSERT_TRUE(other->setPosition({1000 * world.side(), 0, 0}));
+  ASSERT_TRUE(world.engine.initialize());
+  world.engine.finishJobs();
+  const TePatchDatabase& terrain = *world.engine.getDatabase();
+  EXPECT_TRUE(terrain.heightAt({1000 * world.side(), 0}));
+  EXPECT_FALSE(terrain.heightAt({1001 * world.side(), 0}));
+  EXPECT_EQ(patchesOf(world)->getNumChildren(), 9) << "it is not drawn";
+
+  ASSERT_TRUE(world.engine.removeObject(other));
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  world.engine.finishJobs();
+  EXPECT_FALSE(terrain.heightAt({1000 * world.side(), 0}));
+}
+
+TEST(TeEngineRuntime, AfterATeleportTheGroundIsThereSoonAndTheOldJobsAreGone) {
+  TeEndlessWorld world;
+  world.engine.setRadius(4);
+  world.engine.setUnitBudget(4);
+  ASSERT_TRUE(world.engine.initialize());
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  for (const double x : {1e6, -1e9, 0x1p33 * 32, 0.0}) {
+    ASSERT_TRUE(world.object->setPosition({x, x, 50}));
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+    std::int64_t waiting = 0;
+    for (const auto& kind : world.statistics().jobs.now)
+      for (const std::int64_t count : kind)
+        waiting += count;
+    EXPECT_LE(waiting, 81 + 81) << "only jobs of the new place, after one tick";
+    int ticks = 1;
+    while (!world.engine.getDatabase()->heightAt({x, x}) && ticks < 100) {
+      ASSERT_TRUE(world.engine.timeTick(kDt));
+      ++ticks;
+    }
+    EXPECT_LE(ticks, 8) << x;
+  }
+  world.engine.finishJobs();
+  EXPECT_EQ(world.statistics().patches.drawn, 81);
+}
+
+TEST(TeEngineRuntime, WhatIsMadeDoesNotDependOnBudgetOrWorkers) {
+  std::set<std::uint64_t> hashes;
+  for (const int workers : {0, 1, 4}) {
+    for (const int units : {3, 1000}) {
+      TeEndlessWorld world;
+      world.engine.setWorkers(workers);
+      world.engine.setUnitBudget(units);
+      world.engine.setRadius(2);
+      ASSERT_TRUE(world.object->setVelocity({30, 50, 0}));
+      ASSERT_TRUE(world.engine.initialize());
+      for (int i = 0; i < 60; ++i)
+        ASSERT_TRUE(world.engine.timeTick(kDt));
+      world.engine.finishJobs();
+      hashes.insert(world.engine.stateHash(true));
+      EXPECT_EQ(world.statistics().patches.missing, 0);
+    }
+  }
+  EXPECT_EQ(hashes.size(), 1u);
+}
+
+TEST(TeEngineRuntime, WithUnitsARunRepeatsTickByTick) {
+  const auto run = [](int workers) {
+    TeEndlessWorld world;
+    world.engine.setWorkers(workers);
+    world.engine.setUnitBudget(5);
+    EXPECT_TRUE(world.object->setVelocity({0, 100, 0}));
+    EXPECT_TRUE(world.engine.initialize());
+    std::vector<std::int64_t> counts;
+    for (int i = 0; i < 90; ++i) {
+      EXPECT_TRUE(world.engine.timeTick(kDt));
+      counts.push_back(world.statistics().patches.resident);
+      counts.push_back(world.statistics().patches.drawn);
+      counts.push_back(world.statistics().jobs.mapsMade);
+    }
+    return counts;
+  };
+  EXPECT_EQ(run(0), run(0));
+  EXPECT_EQ(run(2), run(2)) << "however fast the workers are";
+}
+
+TEST(TeEngineRuntime, AnIdleEngineAsksForNothing) {
+  TeEndlessWorld world;
+  ASSERT_TRUE(world.engine.initialize());
+  EXPECT_FALSE(world.engine.isIdle()) << "the block is still to be made";
+  for (int i = 0; i < 1000 && !world.engine.isIdle(); ++i)
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_TRUE(world.engine.isIdle());
+  world.engine.frameDrawn(kDt, 0.001);
+  EXPECT_FALSE(world.engine.needsRedraw());
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_FALSE(world.engine.needsRedraw()) << "a tick without anything to do changes nothing";
+  ASSERT_TRUE(world.object->setVelocity({1, 0, 0}));
+  EXPECT_FALSE(world.engine.isIdle());
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_TRUE(world.engine.needsRedraw());
+}
+
+TEST(TeEngineRuntime, ProgramsAreToldOfPatchesAndMayAddToTheirGraphs) {
+  TeEndlessWorld world;
+  std::set<TePatchKey> known;
+  world.engine.setPatchReadyCallback([&](const TePatchKey& key, SoGroup* graph) {
+    EXPECT_TRUE(known.insert(key).second) << key.text();
+    EXPECT_TRUE(world.engine.getDatabase()->find(key)->hasHeights());
+    ASSERT_NE(graph, nullptr);
+    graph->addChild(new SoSeparator);
+  });
+  world.engine.setPatchDroppedCallback(
+      [&](const TePatchKey& key, SoGroup*) { EXPECT_EQ(known.erase(key), 1u); });
+  EXPECT_TRUE(world.object->setVelocity({0, 200, 0}));
+  ASSERT_TRUE(world.engine.initialize());
+  for (int i = 0; i < 60; ++i)
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_EQ(std::int64_t(known.size()), world.statistics().patches.resident);
+  EXPECT_GT(world.statistics().patches.dropped, 0);
+}
+
+TEST(TeEngineRuntime, CallBacksMayChangeTheEngine) {
+  TeEndlessWorld world;
+  int calls = 0;
+  world.engine.setPatchReadyCallback([&](const TePatchKey&, SoGroup*) {
+    if (++calls == 3)
+      EXPECT_TRUE(world.object->setPosition({1e5, 0, 50}));
+    if (calls == 5) {
+      TeObject* other = world.engine.addObject(std::make_unique<TeProbe>("other"));
+      world.engine.setActiveObject(other);
+      world.engine.removeObject(world.object);
+    }
+  });
+  ASSERT_TRUE(world.engine.initialize());
+  for (int i = 0; i < 30; ++i)
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_GE(calls, 5);
+}
+
+/// Fails on one map.
+class BrokenSource final : public TePointSource {
+public:
+  std::string name() const override { return "broken"; }
+  std::uint64_t fingerprint() const override { return 1; }
+  TeStatus evaluate(const TeMapRequest& request, const TeMapSample*, std::size_t count,
+                    float* heights) const override {
+    if (request.key == TeMapKey{2, 2})
+      return TeError{"this place is broken"};
+    std::fill(heights, heights + count, 1.0f);
+    return {};
+  }
+};
+class BrokenGenerator final : public TeGenerator {
+public:
+  std::string name() const override { return "broken"; }
+  TeParameters parameters() override { return {}; }
+
+protected:
+  void setDefaults() override {}
+  TeResult<TeHeightSourcePtr> makeSource() const override {
+    return TeHeightSourcePtr(std::make_shared<BrokenSource>());
+  }
+};
+
+TEST(TeEngineRuntime, APatchThatCannotBeMadeIsReportedAndTheRestIsThere) {
+  TeEndlessWorld world;
+  ASSERT_TRUE(world.engine.setGenerator(std::make_unique<BrokenGenerator>()));
+  std::vector<std::string> errors;
+  world.engine.setErrorCallback([&](const std::string& message) { errors.push_back(message); });
+  ASSERT_TRUE(world.engine.initialize());
+  for (int i = 0; i < 50; ++i)
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+  ASSERT_EQ(errors.size(), 1u) << "once, not every tick";
+  EXPECT_NE(errors[0].find("this place is broken"), std::string::npos);
+  EXPECT_NE(errors[0].find("(1, 1)"), std::string::npos) << errors[0];
+  EXPECT_EQ(world.statistics().patches.resident, 8);
+  EXPECT_TRUE(world.engine.isIdle());
+}
+
+TEST(TeEngineRuntime, FlyingForLongMemoryStaysFlat) {
+  TeEndlessWorld world;
+  EXPECT_TRUE(world.object->setVelocity({0, 320, 0}));
+  world.engine.setUnitBudget(200);
+  ASSERT_TRUE(world.engine.initialize());
+  const auto peak = [&world] {
+    const TeStatistics::Memory& memory = world.statistics().peak;
+    return memory.total() - memory.records;
+  };
+  std::size_t full = 0;
+  for (int i = 0; i < 900; ++i) {
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+    if (i == 200)
+      full = peak();
+  }
+  EXPECT_EQ(peak(), full);
+  EXPECT_EQ(world.statistics().framesWithoutGround, 0);
+}
+
+} // namespace

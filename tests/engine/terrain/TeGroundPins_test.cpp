@@ -1,0 +1,52 @@
+#include "engine/terrain/TeGroundPins.h"
+
+#include "engine/objects/TeObject.h"
+
+#include <gtest/gtest.h>
+
+namespace {
+
+const TeLattice kLattice = *TeLattice::create(65, 1.0);
+
+struct Thing : TeObject {
+  Thing() : TeObject("thing") {}
+};
+
+TEST(TeGroundPins, APatchIsHeldAsLongAsAnyObjectIsOverIt) {
+  TeGroundPins pins;
+  Thing a, b;
+  EXPECT_TRUE(pins.place(a, kLattice));
+  EXPECT_TRUE(pins.place(b, kLattice));
+  EXPECT_FALSE(pins.place(a, kLattice)) << "it has not moved";
+  EXPECT_TRUE(pins.holds({0, 0, 0}));
+
+  ASSERT_TRUE(a.setPosition({40, 0, 0}));
+  EXPECT_TRUE(pins.place(a, kLattice));
+  EXPECT_TRUE(pins.holds({1, 0, 0}));
+  EXPECT_TRUE(pins.holds({0, 0, 0})) << "the other one is still there";
+  pins.remove(b);
+  EXPECT_FALSE(pins.holds({0, 0, 0}));
+  pins.remove(a);
+  pins.remove(a);
+  EXPECT_FALSE(pins.holds({1, 0, 0}));
+}
+
+TEST(TeGroundPins, AMovingObjectHoldsThePatchThatItWillBeOver) {
+  TeGroundPins pins;
+  Thing thing;
+  ASSERT_TRUE(thing.setVelocity({0, 60, 0}));
+  pins.place(thing, kLattice);
+  EXPECT_TRUE(pins.holds({0, 0, 0}));
+  EXPECT_TRUE(pins.holds({0, 2, 0}));
+}
+
+TEST(TeGroundPins, OutsideTheWorldNothingIsHeld) {
+  TeGroundPins pins;
+  Thing thing;
+  pins.place(thing, kLattice);
+  ASSERT_TRUE(thing.setPosition({1e300, 0, 0}));
+  EXPECT_TRUE(pins.place(thing, kLattice));
+  EXPECT_FALSE(pins.holds({0, 0, 0}));
+}
+
+} // namespace
