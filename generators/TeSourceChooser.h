@@ -3,8 +3,8 @@
 #include "generators/TeHeightSource.h"
 
 /// Decides which source makes which source map, so that a world may have different landscapes in different
-/// regions; where they meet, four-map blending leads from one to the other. Pure and thread-safe like the
-/// sources.
+/// regions; where they meet, four-map blending leads from one to the other. Pure like the sources: choose()
+/// gives the same source, or one of the same fingerprint, for the same key whenever it is asked. Thread-safe.
 class TeSourceChooser {
 public:
   virtual ~TeSourceChooser() = default;

@@ -2,6 +2,7 @@
 
 #include "patchdb/TePatchData.h"
 
+#include <algorithm>
 #include <cassert>
 
 TeGrowingTree::TeGrowingTree() = default;
@@ -29,6 +30,7 @@ TePatchData* TeGrowingTree::find(std::int64_t x, std::int64_t y) const {
 TePatchData& TeGrowingTree::insert(std::int64_t x, std::int64_t y, std::unique_ptr<TePatchData> patch) {
   assert(patch && !find(x, y));
   TePatchData& stored = *patch;
+  reserve();
   const std::int32_t leaf = newLeaf(std::move(patch));
   ++m_size;
   if (m_root == kNone) {
@@ -52,6 +54,19 @@ TePatchData& TeGrowingTree::insert(std::int64_t x, std::int64_t y, std::unique_p
   }
   m_nodes[std::size_t(node)].child[quarterOf(bounds, x, y)] = leaf;
   return stored;
+}
+
+/// Room for one more patch and its way to the root, and to note all as free again, so that nothing but this
+/// can fail for want of memory.
+void TeGrowingTree::reserve() {
+  const auto makeRoom = [](auto& elements, std::size_t atLeast) {
+    if (elements.capacity() < atLeast)
+      elements.reserve(std::max(atLeast, 2 * elements.capacity()));
+  };
+  makeRoom(m_nodes, m_nodes.size() + kMostNewNodes);
+  makeRoom(m_freeNodes, m_nodes.capacity());
+  makeRoom(m_leaves, m_leaves.size() + 1);
+  makeRoom(m_freeLeaves, m_leaves.capacity());
 }
 
 void TeGrowingTree::grow(std::int64_t x, std::int64_t y) {

@@ -49,7 +49,7 @@ public:
 
   /// Null if nothing is stored there.
   TePatchData* find(std::int64_t x, std::int64_t y) const;
-  /// Stores a patch; the cell must be free and within ±2^47.
+  /// Stores a patch; the cell must be free and within ±2^47. If memory runs out it throws and is as before.
   TePatchData& insert(std::int64_t x, std::int64_t y, std::unique_ptr<TePatchData> patch);
   /// Takes a patch out; null if nothing is stored there. The bounds stay as they are until the last is gone.
   std::unique_ptr<TePatchData> remove(std::int64_t x, std::int64_t y);
@@ -68,6 +68,9 @@ private:
     std::int32_t child[4] = {kNone, kNone, kNone, kNone};
   };
 
+  /// Up to 50 new roots, and as many nodes from there down.
+  static constexpr std::size_t kMostNewNodes = 100;
+  void reserve();
   void grow(std::int64_t x, std::int64_t y);
   std::int32_t newNode();
   std::int32_t newLeaf(std::unique_ptr<TePatchData> patch);

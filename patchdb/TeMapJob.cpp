@@ -11,7 +11,7 @@ TeError errorOf(TeMapKey key, const TeError& error) {
 TeResult<std::unique_ptr<TeHeightJob>> teStartMap(TePatchDatabase& database, TeMapKey key) {
   const TeResult<TeHeightSourcePtr> source = database.mapSource(key);
   if (!source)
-    return errorOf(key, source.error());
+    return source.error();
   const TeWorld& world = database.world();
   const int samples = world.lattice.samples();
   if (TeStatus ok = (*source)->accepts(samples, samples); !ok)

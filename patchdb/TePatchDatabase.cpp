@@ -17,6 +17,7 @@ TeStatus TePatchDatabase::setSources(std::shared_ptr<const TeSourceChooser> sour
   if (!sources)
     return TeError{"world: no source of heights given"};
   m_world.sources = std::move(sources);
+  m_maps.setChooser(m_world.sources);
   return {};
 }
 

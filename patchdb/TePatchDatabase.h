@@ -45,7 +45,7 @@ public:
   const TePatchTree& tree() const { return m_tree; }
 
   /// The source that a map is made with, from now on for ever (see TeMapStore).
-  TeResult<TeHeightSourcePtr> mapSource(TeMapKey key) { return m_maps.source(key, *m_world.sources); }
+  TeResult<TeHeightSourcePtr> mapSource(TeMapKey key) { return m_maps.begin(key); }
   const TeMapStore& maps() const { return m_maps; }
   /// Stores a map that mapSource() has made, or finds it.
   TeSourceMapPtr addMap(TeMapKey key, TeHeightMap heights) { return m_maps.add(key, std::move(heights)); }
@@ -83,7 +83,8 @@ public:
 
 private:
   explicit TePatchDatabase(TeWorld world)
-      : m_world(std::move(world)), m_weights(m_world.lattice.cells(), m_world.blending) {}
+      : m_world(std::move(world)), m_weights(m_world.lattice.cells(), m_world.blending),
+        m_maps(m_world.sources) {}
 
   TeWorld m_world;
   TeBlendWeights m_weights;
