@@ -1,6 +1,7 @@
 #include "engine/objects/TeAircraft.h"
 
 #include "engine/objects/TeAircraftModel.h"
+#include "engine/objects/TeTurn.h"
 #include "generators/base/TeHash.h"
 #include "patchdb/TePatchDatabase.h"
 
@@ -44,17 +45,6 @@ double asked(const SteeringKeys& keys, const TeKeyState& state) {
 }
 
 double levelLength(const glm::dvec3& v) { return std::sqrt(v.x * v.x + v.y * v.y); }
-
-/// Turned to the right about the vertical by a small angle in radians. Tangent half-angle formulas, with the
-/// tangent's series: exact to 1e-8 up to 0.1, and the same bits wherever IEEE arithmetic is.
-glm::dvec3 turnedRight(const glm::dvec3& v, double angle) {
-  const double half = angle / 2;
-  const double tangent = half + half * half * half / 3;
-  const double scale = 1 / (1 + tangent * tangent);
-  const double cosine = (1 - tangent * tangent) * scale;
-  const double sine = 2 * tangent * scale;
-  return {v.x * cosine + v.y * sine, v.y * cosine - v.x * sine, v.z};
-}
 
 } // namespace
 
@@ -116,8 +106,9 @@ void TeAircraft::steer(const Steering& steering, double dt) {
       else if (m_levelling)
         slope -= std::clamp(slope, -change, change);
       m_levelling = m_levelling && (slope != 0 || steering.climb != 0);
-      const glm::dvec3 ahead(m_forward.x / level, m_forward.y / level, slope);
-      m_forward = glm::normalize(turnedRight(ahead, std::clamp(steering.turn, -1.0, 1.0) * kTurnRate * dt));
+      const glm::dvec2 ahead(m_forward.x / level, m_forward.y / level);
+      const double right = std::clamp(steering.turn, -1.0, 1.0) * kTurnRate * dt;
+      m_forward = glm::normalize(glm::dvec3(teTurned(ahead, -right), slope));
     }
     move(m_forward * std::clamp(faster, 0.0, std::max(kFastest, present)));
   }
@@ -175,7 +166,7 @@ void TeAircraft::stop() {
 SoNode* TeAircraft::drawModel() { return teAircraftModel(m_colour); }
 
 TeCollisionShape TeAircraft::collisionShape() const {
-  return {TeCollisionShape::Kind::Box, {0, -0.4, 0.5}, {4.8, 4.2, 1.3}};
+  return {TeCollisionShape::Kind::Box, {0, -0.4, 0.71}, {4.8, 4.2, 1.09}};
 }
 
 std::vector<std::string> TeAircraft::hudLines() const {
