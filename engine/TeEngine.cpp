@@ -242,32 +242,19 @@ SbBool TeEngine::setRadius(int radius) {
 }
 
 SbBool TeEngine::setBudget(double seconds) {
-  if (!checkSetting(seconds > 0 && seconds <= 1,
-                    "a budget of " + std::to_string(seconds) + " s is not more than 0 and at most 1"))
-    return FALSE;
-  m_settings.budget = seconds;
-  if (m_runtime)
-    m_runtime->setBudget();
-  return TRUE;
+  const TeStatus ok = m_settings.budget.setBudget(seconds);
+  return ok ? TRUE : fail({"TeEngine: " + ok.error().message});
+}
+
+SbBool TeEngine::setFrameRate(double framesPerSecond) {
+  const TeStatus ok = m_settings.budget.setFrameRate(framesPerSecond);
+  return ok ? TRUE : fail({"TeEngine: " + ok.error().message});
 }
 
 SbBool TeEngine::setUnitBudget(int units) {
   if (!checkSetting(units >= 0, "a budget of " + std::to_string(units) + " units is below 0"))
     return FALSE;
   m_settings.unitBudget = units;
-  if (m_runtime)
-    m_runtime->setBudget();
-  return TRUE;
-}
-
-SbBool TeEngine::setFrameRate(double framesPerSecond) {
-  if (!checkSetting(framesPerSecond == 0 || (framesPerSecond >= 1 && framesPerSecond <= kMaxFrameRate),
-                    "a frame rate of " + std::to_string(framesPerSecond) + " is neither 0 nor 1 to " +
-                        std::to_string(int(kMaxFrameRate))))
-    return FALSE;
-  m_settings.frameRate = framesPerSecond;
-  if (m_runtime)
-    m_runtime->setBudget();
   return TRUE;
 }
 

@@ -13,6 +13,8 @@ namespace {
 constexpr double kHudSeconds = 0.1;
 /// Part of a tick's allowance that may go into buffers for the next anchor.
 constexpr double kAnchorShare = 0.25;
+/// No unit is to take longer, at 65 samples.
+constexpr double kLongestUnit = 0.00025;
 constexpr std::size_t kAnchorBytes = 1 << 18; ///< where work is counted in units
 
 void keepLargest(TeStatistics::Memory& peak, const TeStatistics::Memory& now) {
@@ -46,7 +48,6 @@ TeEngineRuntime::TeEngineRuntime(TeEngineSettings& settings, TePatchDatabase& da
       m_maps(database), m_scene(database.lattice(), settings.active->position()),
       m_terrain(database, m_scene, m_queue, m_maps, std::move(held)) {
   m_terrain.setRadius(settings.radius);
-  setBudget();
 }
 
 TeEngineRuntime::~TeEngineRuntime() {
@@ -71,6 +72,7 @@ TeStatus TeEngineRuntime::start() {
       return ok;
   for (const auto& object : m_objects.all())
     addObject(*object);
+  m_statistics.budgetSeconds = m_settings.budget.budget();
   followObject(0);
   m_scene.jump(m_rig.eye());
   m_objectScene.placeAll(m_scene.origin());
@@ -79,8 +81,6 @@ TeStatus TeEngineRuntime::start() {
   updateHud();
   return {};
 }
-
-void TeEngineRuntime::setBudget() { m_maps.setFixedJoin(m_settings.unitBudget > 0); }
 
 void TeEngineRuntime::setRadius(int radius) { m_terrain.setRadius(radius); }
 
@@ -111,8 +111,10 @@ TeStatus TeEngineRuntime::tick(double dt) {
   if (const TeStatus ok = simulate(m_paused ? 0 : dt); !ok)
     return ok;
   followObject(dt);
+  m_statistics.budgetSeconds = m_settings.budget.budget();
   TeAllowance slice = allowance();
   work(slice);
+  countSlice(slice);
   updateCamera();
   updateStatistics();
   updateHud();
@@ -133,6 +135,7 @@ void TeEngineRuntime::closeTick() {
   m_statistics.worstTickSeconds = std::max(m_statistics.worstTickSeconds, m_statistics.tickSeconds);
   if (m_statistics.tickSeconds > m_statistics.budgetSeconds)
     ++m_statistics.ticksOverBudget;
+  m_settings.budget.tickDone(m_statistics.tickSeconds, m_longestUnit);
 }
 
 void TeEngineRuntime::frameDrawn(double frameSeconds, double drawSeconds) {
@@ -140,7 +143,7 @@ void TeEngineRuntime::frameDrawn(double frameSeconds, double drawSeconds) {
   m_changed = false;
   ++m_statistics.redraws;
   m_statistics.frameSeconds = frameSeconds;
-  (void)drawSeconds;
+  m_settings.budget.frameDrawn(frameSeconds, drawSeconds);
 }
 
 void TeEngineRuntime::handleKeys() {
@@ -231,12 +234,19 @@ void TeEngineRuntime::followObject(double dt) {
 
 TeAllowance TeEngineRuntime::allowance() const {
   return m_settings.unitBudget > 0 ? TeAllowance::units(m_settings.unitBudget)
-                                   : TeAllowance::seconds(m_settings.budget);
+                                   : TeAllowance::seconds(m_settings.budget.allowance());
+}
+
+void TeEngineRuntime::countSlice(const TeAllowance& slice) {
+  m_longestUnit = slice.longestUnit();
+  m_statistics.longestUnitSeconds = std::max(m_statistics.longestUnitSeconds, m_longestUnit);
+  if (!slice.countsUnits() && slice.remainingSeconds() < -kLongestUnit)
+    ++m_statistics.slicesOverrun;
 }
 
 void TeEngineRuntime::work(TeAllowance& allowance) {
   TeMeshDrawing& drawing = *m_scene.drawing();
-  const double anchorSeconds = kAnchorShare * m_settings.budget;
+  const double anchorSeconds = kAnchorShare * m_settings.budget.allowance();
   std::size_t anchorBytes = 0;
   if (drawing.changesAnchor()) {
     anchorBytes =
@@ -244,6 +254,7 @@ void TeEngineRuntime::work(TeAllowance& allowance) {
     allowance.charge(anchorSeconds, 0);
   }
   drawing.resetFrame(anchorBytes);
+  m_maps.setFixedJoin(m_settings.unitBudget > 0);
   m_maps.beginTick();
   m_terrain.work(allowance);
   m_changed = m_terrain.takeChanged() || drawing.changesAnchor() || m_changed;
@@ -263,7 +274,6 @@ void TeEngineRuntime::updateCamera() {
 
 void TeEngineRuntime::updateStatistics() {
   const TeObject& object = *m_settings.active;
-  m_statistics.budgetSeconds = m_settings.budget;
   const std::optional<double> ground = m_database.heightAt({object.position().x, object.position().y});
   m_statistics.heightAboveGround =
       ground ? object.position().z - *ground : std::numeric_limits<double>::quiet_NaN();

@@ -32,8 +32,6 @@ public:
   /// Before the object is deleted.
   void removeObject(const TeObject& object);
   void setRadius(int radius);
-  /// After budget, units or frame rate have changed.
-  void setBudget();
   void setWireframe(bool wireframe);
   bool isWireframe() const { return m_wireframe; }
   void setPaused(bool paused) { m_paused = paused; }
@@ -56,6 +54,7 @@ private:
   void followObject(double dt);
   void work(TeAllowance& allowance);
   TeAllowance allowance() const;
+  void countSlice(const TeAllowance& slice);
   void updateCamera();
   void updateHud();
   void updateStatistics();
@@ -78,6 +77,7 @@ private:
   bool m_paused = false;
   bool m_wireframe = false;
   bool m_changed = true;
+  double m_longestUnit = 0; ///< seconds, of the last tick
   bool m_tickOpen = false; ///< the uploads that the last tick led to are not counted yet
   int m_hudChanges = 0;
   double m_hudTime = 0; ///< simulated, of the last change of its numbers

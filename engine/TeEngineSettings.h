@@ -1,5 +1,6 @@
 #pragma once
 
+#include "engine/budget/TeFrameBudget.h"
 #include "engine/input/TeKeyEvent.h"
 #include "nodes/TeNodePtr.h"
 #include "nodes/TeSurfaceColours.h"
@@ -30,9 +31,8 @@ struct TeEngineSettings {
   TeObject* active = nullptr;
   std::optional<TeSurfaceColours> colours;
   int radius = 1;
-  double budget = 0.004; ///< seconds
-  int unitBudget = 0;    ///< 0 = time
-  double frameRate = 0;  ///< 0 = a fixed budget
+  TeFrameBudget budget;
+  int unitBudget = 0; ///< work units a tick; 0 = time
   int workers = 0;
   PatchCallback patchReady;
   PatchCallback patchDropped;

@@ -55,7 +55,7 @@ struct TeStatistics {
   double worstTickSeconds = 0;
   double frameSeconds = 0; ///< of the wall clock, the last frame
   std::int64_t ticksOverBudget = 0;
-  std::int64_t unitsOverAllowance = 0; ///< slices that ended more than one smallest unit late
+  std::int64_t slicesOverrun = 0; ///< of work by time that ended more than one smallest unit (0.25 ms) late
   double longestUnitSeconds = 0;
   std::int64_t framesWithoutGround = 0; ///< ticks that ended with no known patch below the active object
   std::int64_t framesWithMissingInView = 0;

@@ -231,8 +231,9 @@ TEST(TeEngineRuntime, CallBacksMayChangeTheEngine) {
   TeEndlessWorld world;
   int calls = 0;
   world.engine.setPatchReadyCallback([&](const TePatchKey&, SoGroup*) {
-    if (++calls == 3)
+    if (++calls == 3) {
       EXPECT_TRUE(world.object->setPosition({1e5, 0, 50}));
+    }
     if (calls == 5) {
       TeObject* other = world.engine.addObject(std::make_unique<TeProbe>("other"));
       world.engine.setActiveObject(other);
