@@ -60,6 +60,8 @@ public:
   void update(const TeUpdate& update) override;
   bool moving() const override;
   bool needsGround() const override { return true; }
+  /// A wheel's, on a level road, and what its suspension and the next step add.
+  double groundReach() const override { return 3; }
   bool handleEvent(const TeKeyEvent& event) override;
   void releaseKeys() override;
   SoNode* drawModel() override;

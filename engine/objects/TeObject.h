@@ -44,6 +44,9 @@ public:
   virtual bool moving() const;
   /// An object that stands on the ground: it is not updated before the patch below it is known.
   virtual bool needsGround() const { return false; }
+  /// How far from its place the object stands on the ground, in x and y, metres: the patches below the four
+  /// corners of that square are wanted as much as the one below it.
+  virtual double groundReach() const { return 0; }
   /// A key, if this is the active object; true if it meant something to it.
   virtual bool handleEvent(const TeKeyEvent& event);
   /// Forgets keys that are held: it is no longer the active object, or the window has lost the keyboard.

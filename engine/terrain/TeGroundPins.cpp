@@ -12,8 +12,18 @@ std::optional<TePatchKey> patchAt(const TeLattice& lattice, const glm::dvec3& po
 } // namespace
 
 bool TeGroundPins::place(const TeObject& object, const TeLattice& lattice) {
-  const Place place = {patchAt(lattice, object.position()),
-                       patchAt(lattice, object.position() + kSeconds * object.velocity())};
+  Place place;
+  std::size_t count = 0;
+  const double reach = object.groundReach();
+  for (const double seconds : {0.0, kSeconds}) {
+    const glm::dvec3 middle = object.position() + seconds * object.velocity();
+    if (reach > 0)
+      for (const double x : {-reach, reach})
+        for (const double y : {-reach, reach})
+          place[count++] = patchAt(lattice, middle + glm::dvec3(x, y, 0));
+    else
+      place[count++] = patchAt(lattice, middle);
+  }
   Place& before = m_places[&object];
   if (place == before)
     return false;

@@ -10,8 +10,8 @@
 
 class TeObject;
 
-/// The patches below objects, and where these will be in kSeconds: each is wanted as long as an object is
-/// over it. Costs nothing for objects that do not move.
+/// The patches below objects (all that they stand on, TeObject::groundReach()), and where these will be in
+/// kSeconds: each is wanted as long as an object is over it. Costs nothing for objects that do not move.
 class TeGroundPins {
 public:
   static constexpr double kSeconds = 1;
@@ -28,7 +28,8 @@ public:
   }
 
 private:
-  using Place = std::array<std::optional<TePatchKey>, 2>; ///< now, soon
+  /// Now and soon, at the corners of what it reaches; a patch counts once for each corner.
+  using Place = std::array<std::optional<TePatchKey>, 8>;
   void hold(const Place& place);
   void release(const Place& place);
 

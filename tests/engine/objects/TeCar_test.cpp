@@ -3,6 +3,7 @@
 #include "engine/objects/TeDriveTrain.h"
 #include "engine/objects/TeObjects.h"
 #include "engine/objects/TeTestRoad.h"
+#include "tests/engine/TeEndlessWorld.h"
 
 #include <Inventor/SoDB.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
@@ -381,6 +382,28 @@ TEST(TeCar, ItsModelStandsOnItsWheels) {
   ASSERT_TRUE(road.car().setThrottle(1));
   road.drive(0.5);
   EXPECT_NE(model->getNodeId(), id);
+}
+
+// Far away from the active object the engine keeps only the patches that an object needs.
+TEST(TeCar, GroundComesToItsWheelsWhereverItDrives) {
+  TeEndlessWorld world;
+  ASSERT_TRUE(world.engine.setGenerator("noise"));
+  auto* car = static_cast<TeCar*>(world.engine.addObject(std::make_unique<TeCar>("car")));
+  ASSERT_TRUE(car->setPosition({5000, -7000, 0}));
+  ASSERT_TRUE(world.engine.initialize()) << world.engine.lastError();
+  car->setAuto(true);
+  double worstGap = 0;
+  for (int i = 0; i < 600; ++i) {
+    ASSERT_TRUE(world.engine.timeTick(1.0 / 30));
+    for (int wheel = 0; wheel < TeCarGeometry::kWheels && car->distanceDriven() > 0; ++wheel) {
+      const glm::dvec3 contact = car->wheelContact(wheel);
+      const auto ground = world.engine.getDatabase()->heightAt({contact.x, contact.y});
+      ASSERT_TRUE(ground) << i;
+      worstGap = std::max(worstGap, std::fabs(contact.z - *ground));
+    }
+  }
+  EXPECT_GT(car->distanceDriven(), 100);
+  EXPECT_LE(worstGap, kMillimetre);
 }
 
 TEST(TeCar, TheAutomaticDriverKeepsGoing) {

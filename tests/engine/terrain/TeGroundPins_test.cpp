@@ -40,6 +40,27 @@ TEST(TeGroundPins, AMovingObjectHoldsThePatchThatItWillBeOver) {
   EXPECT_TRUE(pins.holds({0, 2, 0}));
 }
 
+// A car near a corner of its patch has wheels on four.
+TEST(TeGroundPins, AllPatchesThatAnObjectStandsOnAreHeld) {
+  struct Wide : TeObject {
+    Wide() : TeObject("wide") {}
+    double groundReach() const override { return 2; }
+  };
+  TeGroundPins pins;
+  Wide wide;
+  ASSERT_TRUE(wide.setPosition({15, -15, 0}));
+  pins.place(wide, kLattice);
+  for (const TePatchKey key :
+       {TePatchKey{0, 0, 0}, TePatchKey{1, 0, 0}, TePatchKey{0, -1, 0}, TePatchKey{1, -1, 0}})
+    EXPECT_TRUE(pins.holds(key)) << key.text();
+  ASSERT_TRUE(wide.setPosition({0, -15, 0}));
+  EXPECT_TRUE(pins.place(wide, kLattice));
+  EXPECT_FALSE(pins.holds({1, 0, 0}));
+  EXPECT_TRUE(pins.holds({0, -1, 0}));
+  pins.remove(wide);
+  EXPECT_FALSE(pins.holds({0, 0, 0}));
+}
+
 TEST(TeGroundPins, OutsideTheWorldNothingIsHeld) {
   TeGroundPins pins;
   Thing thing;
