@@ -1,63 +1,341 @@
 #include "nodes/terrain/SoTeTerrainMesh.h"
 
+#include "nodes/terrain/TeBlockGraph.h"
 #include "nodes/testWorld.h"
 #include "render/TeRenderTest.h"
 #include "render/comparePixels.h"
+#include "render/magenta.h"
 #include "render/meshScene.h"
-#include "render/topView.h"
 
-#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoDrawStyle.h>
+#include <Inventor/nodes/SoEnvironment.h>
+#include <Inventor/nodes/SoFragmentShader.h>
+#include <Inventor/nodes/SoLightModel.h>
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoShaderProgram.h>
+#include <Inventor/nodes/SoTexture2.h>
+#include <Inventor/nodes/SoTextureCoordinatePlane.h>
+#include <Inventor/nodes/SoTransform.h>
+#include <Inventor/nodes/SoVertexShader.h>
 
 #include <cmath>
+#include <cstdio>
 
 namespace {
 
-constexpr TePicture::Pixel kMagenta = {255, 0, 255, 255};
+class SoTeTerrainMeshTest : public TeRenderTest {
+protected:
+  /// Draws a block by our nodes and by Coin's, with the same nodes before both, and compares the pictures.
+  TePixelDifference compareWithCoin(const TeStaticBlock& block, const std::vector<SoNode*>& before,
+                                    const std::string& name) {
+    TeNodePtr<SoSeparator> ours(new SoSeparator);
+    TeNodePtr<SoSeparator> coins(new SoSeparator);
+    for (SoNode* node : before) {
+      ours->addChild(node);
+      coins->addChild(node);
+    }
+    ours->addChild(meshGraph(block, drawingOf(block)).get());
+    const auto graph = teBlockGraph(block);
+    EXPECT_TRUE(graph);
+    coins->addChild(graph->get());
+    const TePicture mesh = draw(sideView(ours.get()).get(), 320, 240, "mesh-" + name);
+    const TePicture coin = draw(sideView(coins.get()).get(), 320, 240, "mesh-" + name + "-coin");
+    EXPECT_GT(320 * 240 - countMagenta(mesh), 5000);
+    const TePixelDifference difference = comparePixels(mesh, coin);
+    std::printf("%s: %d pixels differ, by %d at most\n", name.c_str(), difference.pixels, difference.largest);
+    return difference;
+  }
 
-TeStaticBlock blockOf(TeWorld world, glm::dvec2 centre = {0, 0}, int patches = 3) {
-  auto block = TeStaticBlock::build(std::move(world), centre, patches);
-  EXPECT_TRUE(block) << (block ? "" : block.error().message);
-  return std::move(*block);
+  TeStaticBlock faults() { return meshBlock(worldOf("faults", {}, 33, 3)); }
+};
+
+TeStaticBlock holes() {
+  const auto source = std::make_shared<TeSampleFunction>([](std::int64_t x, std::int64_t y) {
+    const bool isMissing = (x - 5) * (x - 5) + (y - 3) * (y - 3) < 40 || (x == 0 && y == 0);
+    return isMissing ? std::nanf("") : float(std::sin(double(x) / 5) * 3 + double(y) / 9);
+  });
+  return meshBlock(worldOf(source, 33));
 }
-
-std::shared_ptr<TeMeshDrawing> drawingOf(const TeStaticBlock& block) {
-  auto drawing = std::make_shared<TeMeshDrawing>(block.centre());
-  drawing->setWorldOrigin({block.centre(), 0});
-  return drawing;
-}
-
-/// A scene seen from one side and above, lit by the sun.
-TeNodePtr<SoSeparator> sideView(SoNode* graph, float distance = 90) {
-  TeNodePtr<SoSeparator> scene(new SoSeparator);
-  auto* camera = new SoPerspectiveCamera;
-  camera->position = SbVec3f(0.6f, -0.65f, 0.45f) * distance;
-  camera->pointAt(SbVec3f(0, 0, 0), SbVec3f(0, 0, 1));
-  scene->addChild(camera);
-  auto* sun = new SoDirectionalLight;
-  sun->direction.setValue(1, 0.3f, -0.6f);
-  scene->addChild(sun);
-  scene->addChild(graph);
-  return scene;
-}
-
-class SoTeTerrainMeshTest : public TeRenderTest {};
 
 } // namespace
 
-// Normals of 16 bits against floats: one step of a channel.
+// The difference that remains is that of 16-bit normals from floats: one step of a channel.
 TEST_F(SoTeTerrainMeshTest, DrawsThePictureOfCoinsOwnNodes) {
-  const TeStaticBlock block = blockOf(worldOf("faults", {}, 65, 3));
-  const auto drawing = drawingOf(block);
-  const auto graph = meshGraph(block, drawing);
-  const auto coins = teBlockGraph(block);
-  ASSERT_TRUE(coins) << coins.error().message;
-  const TePicture mesh = draw(sideView(graph.get()).get(), 400, 300, "mesh");
-  const TePicture coin = draw(sideView(coins->get()).get(), 400, 300, "mesh-coin");
-  ASSERT_FALSE(mesh.rgba.empty());
-  const TePixelDifference difference = comparePixels(mesh, coin);
-  std::printf("%d pixels differ, by %d at most\n", difference.pixels, difference.largest);
+  EXPECT_LE(compareWithCoin(faults(), {}, "plain").largest, 1);
+}
+
+TEST_F(SoTeTerrainMeshTest, LeavesOutCellsWithAMissingCorner) {
+  EXPECT_LE(compareWithCoin(holes(), {}, "holes").largest, 1);
+}
+
+TEST_F(SoTeTerrainMeshTest, DrawsMoreVerticesThan16BitsNumber) {
+  const auto waves = std::make_shared<TeSampleFunction>(
+      [](std::int64_t x, std::int64_t y) { return float((x & 63) * (y & 31)) * 0.01f; });
+  const TeStaticBlock block = meshBlock(worldOf(waves, 545), {0, 0}, 1);
+  auto drawing = drawingOf(block);
+  const auto mesh = meshGraph(block, drawing);
+  const auto coin = teBlockGraph(block);
+  ASSERT_TRUE(coin);
+  const TePicture ours = draw(sideView(mesh.get(), 300).get(), 320, 240, "mesh-large");
+  EXPECT_GT(drawing->frame().triangles, 2 * 65536);
+  EXPECT_LE(comparePixels(ours, draw(sideView(coin->get(), 300).get(), 320, 240)).largest, 1);
+}
+
+TEST_F(SoTeTerrainMeshTest, StandsUnderTransforms) {
+  auto* transform = new SoTransform;
+  transform->rotation.setValue(SbVec3f(0.2f, 0.1f, 1), 0.8f);
+  transform->scaleFactor.setValue(1.2f, 0.8f, 0.5f);
+  transform->translation.setValue(3, -4, 5);
+  EXPECT_LE(compareWithCoin(faults(), {transform}, "transform").largest, 1);
+}
+
+TEST_F(SoTeTerrainMeshTest, FogHidesWhatIsFar) {
+  auto* environment = new SoEnvironment;
+  environment->fogType = SoEnvironment::FOG;
+  environment->fogColor.setValue(0.6f, 0.7f, 0.8f);
+  environment->fogVisibility = 180;
+  const TeStaticBlock block = faults();
+  EXPECT_LE(compareWithCoin(block, {environment}, "fog").largest, 1);
+}
+
+TEST_F(SoTeTerrainMeshTest, FollowsTheDrawStyle) {
+  auto* lines = new SoDrawStyle;
+  lines->style = SoDrawStyle::LINES;
+  const TePixelDifference difference = compareWithCoin(faults(), {lines}, "lines");
   EXPECT_LE(difference.largest, 1);
-  EXPECT_NE(mesh.pixel(200, 150), kMagenta);
-  EXPECT_EQ(drawing->frame().meshesDrawn, 9 + 12 + 4);
-  EXPECT_EQ(drawing->frame().triangles, 2 * 94 * 94);
+  auto* invisible = new SoDrawStyle;
+  invisible->style = SoDrawStyle::INVISIBLE;
+  TeNodePtr<SoSeparator> hidden(new SoSeparator);
+  const TeStaticBlock block = faults();
+  const auto drawing = drawingOf(block);
+  hidden->addChild(invisible);
+  hidden->addChild(meshGraph(block, drawing).get());
+  EXPECT_EQ(countMagenta(draw(sideView(hidden.get()).get(), 32, 32)), 32 * 32);
+  EXPECT_EQ(drawing->frame().meshesDrawn, 0);
+}
+
+TEST_F(SoTeTerrainMeshTest, IsDrawnWithoutLightToo) {
+  auto* model = new SoLightModel;
+  model->model = SoLightModel::BASE_COLOR;
+  EXPECT_EQ(compareWithCoin(faults(), {model}, "unlit").pixels, 0);
+}
+
+TEST_F(SoTeTerrainMeshTest, TakesTheMaterialsGloss) {
+  auto* material = new SoMaterial;
+  material->ambientColor.setValue(0.5f, 0.1f, 0.1f);
+  material->specularColor.setValue(0.9f, 0.9f, 0.9f);
+  material->emissiveColor.setValue(0, 0, 0.3f);
+  material->shininess = 0.4f;
+  // Highlights are steeper functions of the normal: 0.4 · 128 times.
+  EXPECT_LE(compareWithCoin(faults(), {material}, "gloss").largest, 3);
+}
+
+TEST_F(SoTeTerrainMeshTest, OverriddenColoursTakeTheMeshsPlace) {
+  auto* material = new SoMaterial;
+  material->diffuseColor.setValue(1, 1, 0);
+  material->setOverride(TRUE);
+  auto* model = new SoLightModel;
+  model->model = SoLightModel::BASE_COLOR;
+  TeNodePtr<SoSeparator> root(new SoSeparator);
+  const TeStaticBlock block = faults();
+  root->addChild(material);
+  root->addChild(model);
+  root->addChild(meshGraph(block, drawingOf(block)).get());
+  const TePicture picture = draw(sideView(root.get()).get(), 64, 48, "mesh-override");
+  EXPECT_EQ(picture.pixel(32, 20), (TePicture::Pixel{255, 255, 0, 255}));
+}
+
+TEST_F(SoTeTerrainMeshTest, TakesTexturesWithGeneratedCoordinates) {
+  const unsigned char texels[] = {255, 255, 255, 40, 40, 40, 40, 40, 40, 255, 255, 255};
+  const TeNodePtr<SoTexture2> texture(new SoTexture2);
+  texture->image.setValue(SbVec2s(2, 2), 3, texels);
+  const TeNodePtr<SoTextureCoordinatePlane> plane(new SoTextureCoordinatePlane);
+  plane->directionS.setValue(0.1f, 0, 0);
+  plane->directionT.setValue(0, 0.1f, 0);
+  const TeStaticBlock block = faults();
+  EXPECT_LE(compareWithCoin(block, {texture.get(), plane.get()}, "texture").largest, 1);
+  const TePicture plain = draw(sideView(meshGraph(block, drawingOf(block)).get()).get(), 320, 240);
+  const TePicture chequered = [&] {
+    TeNodePtr<SoSeparator> root(new SoSeparator);
+    root->addChild(texture.get());
+    root->addChild(plane.get());
+    root->addChild(meshGraph(block, drawingOf(block)).get());
+    return draw(sideView(root.get()).get(), 320, 240);
+  }();
+  EXPECT_GT(comparePixels(plain, chequered).pixels, 3000);
+}
+
+// The scene's shaders get position, normal and colour as from Coin's nodes.
+TEST_F(SoTeTerrainMeshTest, IsDrawnByTheScenesShaders) {
+  auto* vertex = new SoVertexShader;
+  vertex->sourceType = SoShaderObject::GLSL_PROGRAM;
+  vertex->sourceProgram = "varying vec4 shade;\n"
+                          "void main() {\n"
+                          "  gl_Position = ftransform();\n"
+                          "  shade = vec4(gl_Normal.xy * 0.5 + 0.5, gl_Color.g, 1.0);\n"
+                          "}\n";
+  auto* fragment = new SoFragmentShader;
+  fragment->sourceType = SoShaderObject::GLSL_PROGRAM;
+  fragment->sourceProgram = "varying vec4 shade;\n"
+                            "void main() { gl_FragColor = shade; }\n";
+  auto* program = new SoShaderProgram;
+  program->shaderObject.set1Value(0, vertex);
+  program->shaderObject.set1Value(1, fragment);
+  EXPECT_LE(compareWithCoin(faults(), {program}, "shader").largest, 1);
+}
+
+TEST_F(SoTeTerrainMeshTest, RenderCachingChangesNoPixel) {
+  const TeStaticBlock block = faults();
+  std::vector<TePicture> pictures;
+  for (const SoSeparator::CacheEnabled caching : {SoSeparator::OFF, SoSeparator::ON, SoSeparator::AUTO}) {
+    const auto graph = meshGraph(block, drawingOf(block));
+    graph->renderCaching = caching;
+    const auto scene = sideView(graph.get());
+    scene->renderCaching = caching;
+    auto renderer = TeSceneRenderer::create(context(), 160, 120);
+    ASSERT_TRUE(renderer) << renderer.error().message;
+    for (int frame = 0; frame < 4; frame++) {
+      TeResult<TePicture> picture = (*renderer)->render(scene.get());
+      ASSERT_TRUE(picture) << picture.error().message;
+      pictures.push_back(std::move(*picture));
+    }
+  }
+  EXPECT_LT(countMagenta(pictures[0]), 160 * 120 - 2000);
+  for (std::size_t i = 1; i < pictures.size(); i++)
+    EXPECT_EQ(pictures[i], pictures[0]) << i;
+}
+
+TEST_F(SoTeTerrainMeshTest, IsDrawnInTwoContextsByTurns) {
+  const TeStaticBlock block = faults();
+  const auto drawing = drawingOf(block);
+  auto graph = meshGraph(block, drawing);
+  auto scene = sideView(graph.get());
+  auto other = TeContext::create(s_kind, 64, 64);
+  ASSERT_TRUE(other) << other.error().message;
+  auto first = TeSceneRenderer::create(context(), 160, 120);
+  auto second = TeSceneRenderer::create(**other, 160, 120);
+  ASSERT_TRUE(first && second);
+  const TePicture picture = *(*first)->render(scene.get());
+  const std::size_t once = drawing->bufferBytes();
+  EXPECT_EQ(picture, *(*second)->render(scene.get()));
+  EXPECT_EQ(drawing->bufferBytes(), 2 * once);
+  EXPECT_EQ(picture, *(*first)->render(scene.get()));
+
+  // The second context goes, and only its buffers with it.
+  second->reset();
+  other->reset();
+  EXPECT_EQ(drawing->bufferBytes(), once);
+  EXPECT_EQ(picture, *(*first)->render(scene.get()));
+}
+
+TEST_F(SoTeTerrainMeshTest, TwoRenderActionsOfOneContextShareItsBuffers) {
+  const TeStaticBlock block = faults();
+  const auto drawing = drawingOf(block);
+  const auto scene = sideView(meshGraph(block, drawing).get());
+  auto first = TeSceneRenderer::create(context(), 160, 120);
+  auto second = TeSceneRenderer::create(context(), 160, 120);
+  ASSERT_TRUE(first && second);
+  const TePicture picture = *(*first)->render(scene.get());
+  const std::size_t bytes = drawing->bufferBytes();
+  EXPECT_EQ(picture, *(*second)->render(scene.get()));
+  EXPECT_EQ(drawing->bufferBytes(), bytes);
+}
+
+TEST_F(SoTeTerrainMeshTest, DrawsOnlyWhatIsInViewAndUploadsTheRestToo) {
+  const TeStaticBlock block = faults();
+  const auto drawing = drawingOf(block);
+  const auto scene = sideView(meshGraph(block, drawing).get());
+  auto* camera = static_cast<SoPerspectiveCamera*>(scene->getChild(0));
+  camera->position.setValue(0, 0, 30);
+  camera->pointAt(SbVec3f(30, 1, 0), SbVec3f(0, 0, 1)); // down to the east
+  auto renderer = TeSceneRenderer::create(context(), 64, 48);
+  ASSERT_TRUE(renderer);
+  ASSERT_TRUE((*renderer)->draw(scene.get()));
+  const TeMeshDrawing::Frame first = drawing->frame();
+  EXPECT_EQ(first.meshesDrawn + first.meshesCulled, 25);
+  EXPECT_GT(first.meshesDrawn, 4);
+  EXPECT_GT(first.meshesCulled, 8);
+  EXPECT_EQ(first.uploads, 25);
+  EXPECT_EQ(first.bytesUploaded, std::int64_t(drawing->bufferBytes()));
+  EXPECT_GT(first.uploadSeconds, 0);
+
+  drawing->resetFrame();
+  EXPECT_GT(drawing->secondsPerByte(), 0);
+  camera->pointAt(SbVec3f(-30, 1, 0), SbVec3f(0, 0, 1));
+  ASSERT_TRUE((*renderer)->draw(scene.get()));
+  EXPECT_GT(drawing->frame().meshesDrawn, 4);
+  EXPECT_EQ(drawing->frame().uploads, 0);
+}
+
+TEST_F(SoTeTerrainMeshTest, NothingOfItStaysBehind) {
+  const TeStaticBlock block = faults();
+  auto renderer = TeSceneRenderer::create(context(), 32, 24);
+  ASSERT_TRUE(renderer);
+  const auto drawing = drawingOf(block);
+  auto graph = meshGraph(block, drawing);
+  auto scene = sideView(graph.get());
+  std::size_t most = 0;
+  for (int round = 0; round < 20; round++) {
+    ASSERT_TRUE((*renderer)->draw(scene.get()));
+    most = std::max(most, drawing->bufferBytes());
+    auto next = meshGraph(block, drawing);
+    scene->replaceChild(graph.get(), next.get());
+    graph = next;
+  }
+  std::size_t added = 0;
+  for (int i = 2; i < graph->getNumChildren(); i++)
+    added += static_cast<SoTeTerrainMesh*>(graph->getChild(i))->uploadBytes();
+  EXPECT_GT(most, added);
+  EXPECT_LT(most, 2 * added); // with shared indices
+  scene->removeChild(graph.get());
+  graph = TeNodePtr<SoSeparator>();
+  EXPECT_GT(drawing->bufferBytes(), 0u);
+  ASSERT_TRUE((*renderer)->draw(scene.get())); // the context is current again: its buffers go
+  EXPECT_EQ(drawing->bufferBytes(), 0u);
+}
+
+TEST_F(SoTeTerrainMeshTest, OutlivesItsContextAndItsDrawingsOwner) {
+  const TeStaticBlock block = faults();
+  auto drawing = drawingOf(block);
+  auto other = TeContext::create(s_kind, 64, 64);
+  ASSERT_TRUE(other);
+  auto graph = meshGraph(block, drawing);
+  {
+    auto renderer = TeSceneRenderer::create(**other, 32, 24);
+    ASSERT_TRUE(renderer);
+    ASSERT_TRUE((*renderer)->draw(sideView(graph.get()).get()));
+    EXPECT_GT(drawing->bufferBytes(), 0u);
+    graph->removeChild(graph->getNumChildren() - 1); // waits to be freed as the context goes
+  }
+  other->reset();
+  EXPECT_EQ(drawing->bufferBytes(), 0u);
+  drawing.reset();
+  EXPECT_LT(countMagenta(draw(sideView(graph.get()).get(), 64, 48)), 64 * 48);
+  graph = TeNodePtr<SoSeparator>(); // the nodes, and the drawing with them
+  draw(sideView(new SoSeparator).get(), 8, 8);
+}
+
+TEST_F(SoTeTerrainMeshTest, AnotherMeshIsAnotherPicture) {
+  const TeStaticBlock block = faults();
+  const auto drawing = drawingOf(block);
+  const auto mesh =
+      std::make_shared<const TePatchMesh>(*block.database().patchMesh(*block.database().find({0, 0, 0})));
+  TeNodePtr<SoTeTerrainMesh> node(new SoTeTerrainMesh);
+  TeNodePtr<SoSeparator> graph(new SoSeparator);
+  graph->addChild(drawing->translation());
+  graph->addChild(node.get());
+  const auto scene = sideView(graph.get(), 40);
+  EXPECT_EQ(countMagenta(draw(scene.get(), 64, 48)), 64 * 48); // no mesh yet
+  const auto count = mesh->positions.size();
+  node->setMesh(mesh, std::vector<std::uint32_t>(count, 0xFF0000FF), drawing);
+  const TePicture red = draw(scene.get(), 64, 48, "mesh-red");
+  EXPECT_GT(red.pixel(32, 24)[0], red.pixel(32, 24)[1]);
+  node->setMesh(mesh, std::vector<std::uint32_t>(count, 0x00FF00FF), drawing);
+  const TePicture green = draw(scene.get(), 64, 48, "mesh-green");
+  EXPECT_GT(green.pixel(32, 24)[1], green.pixel(32, 24)[0]);
+  const TeNodePtr<SoSeparator> copy(static_cast<SoSeparator*>(scene->copy()));
+  EXPECT_EQ(draw(copy.get(), 64, 48), green);
+  node->setMesh(nullptr, {}, drawing);
+  EXPECT_EQ(countMagenta(draw(scene.get(), 64, 48)), 64 * 48);
+  EXPECT_EQ(draw(copy.get(), 64, 48), green);
 }

@@ -1,8 +1,9 @@
 #include "nodes/terrain/TeBlockGraph.h"
 
 #include "nodes/TeSceneFile.h"
-#include "render/TeRenderTest.h"
 #include "nodes/testWorld.h"
+#include "render/TeRenderTest.h"
+#include "render/magenta.h"
 #include "render/topView.h"
 
 #include <Inventor/SoDB.h>
@@ -25,59 +26,10 @@ protected:
   }
 };
 
-constexpr TePicture::Pixel kMagenta = {255, 0, 255, 255};
-
 TeStaticBlock blockOf(TeWorld world, int patches = 3) {
   auto block = TeStaticBlock::build(std::move(world), {0, 0}, patches);
   EXPECT_TRUE(block) << (block ? "" : block.error().message);
   return std::move(*block);
-}
-
-/// Background pixels that no path over background connects with the picture's rim.
-int enclosedBackground(const TePicture& picture) {
-  const int width = picture.width;
-  const int height = picture.height;
-  std::vector<char> reached(std::size_t(width) * height, 0);
-  std::vector<int> open;
-  const auto visit = [&](int x, int y) {
-    if (x < 0 || y < 0 || x >= width || y >= height || reached[std::size_t(y) * width + x] ||
-        picture.pixel(x, y) != kMagenta)
-      return;
-    reached[std::size_t(y) * width + x] = 1;
-    open.push_back(y * width + x);
-  };
-  for (int x = 0; x < width; x++) {
-    visit(x, 0);
-    visit(x, height - 1);
-  }
-  for (int y = 0; y < height; y++) {
-    visit(0, y);
-    visit(width - 1, y);
-  }
-  while (!open.empty()) {
-    const int x = open.back() % width;
-    const int y = open.back() / width;
-    open.pop_back();
-    visit(x - 1, y);
-    visit(x + 1, y);
-    visit(x, y - 1);
-    visit(x, y + 1);
-  }
-  int enclosed = 0;
-  for (int y = 0; y < height; y++) {
-    for (int x = 0; x < width; x++)
-      enclosed += picture.pixel(x, y) == kMagenta && !reached[std::size_t(y) * width + x];
-  }
-  return enclosed;
-}
-
-int countMagenta(const TePicture& picture) {
-  int count = 0;
-  for (int y = 0; y < picture.height; y++) {
-    for (int x = 0; x < picture.width; x++)
-      count += picture.pixel(x, y) == kMagenta;
-  }
-  return count;
 }
 
 } // namespace

@@ -28,7 +28,7 @@ TePicture TeRenderTest::draw(SoNode* scene, int width, int height, const std::st
     ADD_FAILURE() << picture.error().message;
     return {};
   }
-  if (!s_folder.empty()) {
+  if (!s_folder.empty() && !name.empty()) {
     const TeStatus status = picture->writePng(s_folder + "/" + name + ".png");
     EXPECT_TRUE(status) << status.error().message;
   }

@@ -20,8 +20,9 @@ protected:
   void SetUp() override;
 
   TeContext& context() { return *m_context; }
-  /// Draws one frame; fails the test and gives an empty picture on an error. Keeps the picture by name.
-  TePicture draw(SoNode* scene, int width, int height, const std::string& name,
+  /// Draws one frame; fails the test and gives an empty picture on an error. Keeps the picture by name,
+  /// if it has one.
+  TePicture draw(SoNode* scene, int width, int height, const std::string& name = "",
                  const SbColor& background = SbColor(1, 0, 1));
 
 private:
