@@ -47,7 +47,7 @@ TeProgress TeHeightJob::step(TeAllowance& allowance) {
       m_progress = unit();
     } while (allowance.spend() && m_progress == TeProgress::Working);
   } catch (const std::bad_alloc&) {
-    m_progress = fail(TeError{"not enough memory to make the map"});
+    m_progress = fail(TeError{"out of memory"}); // short enough to need none
   }
   return m_progress;
 }

@@ -14,7 +14,8 @@ struct TeMeshBlock {
 };
 
 /// Makes positions, normals and strips of a mesh from a block of heights, some rows at a time. Any slicing
-/// gives the same bits. The block's heights must stay as they are until it is done.
+/// gives the same bits. The block's heights must stay as they are until it is done. All memory is taken by
+/// the constructor, which may throw std::bad_alloc.
 class TeMeshBuilder {
 public:
   static constexpr int kVerticesPerUnit = 4096;

@@ -3,6 +3,21 @@
 #include "patchdb/TePatchJob.h"
 #include "patchdb/TeSeamBuilder.h"
 
+#include <new>
+
+namespace {
+
+/// Makes an error of a lack of memory.
+template <class Work> auto guarded(Work work) -> decltype(work()) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    return TeError{"out of memory"}; // short enough to need none
+  }
+}
+
+} // namespace
+
 TeResult<std::unique_ptr<TePatchDatabase>> TePatchDatabase::create(TeWorld world) {
   if (!world.sources)
     return TeError{"world: no source of heights given"};
@@ -22,7 +37,7 @@ TeStatus TePatchDatabase::setSources(std::shared_ptr<const TeSourceChooser> sour
 }
 
 TeResult<TePatchData*> TePatchDatabase::lookup(const TePatchKey& key, TeLookup strategy) {
-  return m_tree.lookup(key, strategy);
+  return guarded([&] { return m_tree.lookup(key, strategy); });
 }
 
 bool TePatchDatabase::remove(const TePatchKey& key) {
@@ -42,13 +57,15 @@ TeStatus TePatchDatabase::prepareBuildMaps(TePatchData& patch) {
 TeStatus TePatchDatabase::buildHeights(TePatchData& patch) {
   if (!patch.hasMaps())
     return TeError{"patch " + patch.key().text() + ": its source maps were not prepared"};
-  TeResult<std::unique_ptr<TeHeightBuilder>> builder = TeHeightBuilder::create(patch.maps(), m_weights);
-  if (!builder)
-    return builder.error();
-  TeAllowance all = TeAllowance::unlimited();
-  (*builder)->step(all);
-  patch.setHeights((*builder)->take());
-  return {};
+  return guarded([&]() -> TeStatus {
+    TeResult<std::unique_ptr<TeHeightBuilder>> builder = TeHeightBuilder::create(patch.maps(), m_weights);
+    if (!builder)
+      return builder.error();
+    TeAllowance all = TeAllowance::unlimited();
+    (*builder)->step(all);
+    patch.setHeights((*builder)->take());
+    return {};
+  });
 }
 
 TeResult<TePatchData*> TePatchDatabase::build(const TePatchKey& key) {
@@ -63,8 +80,6 @@ TeResult<TePatchData*> TePatchDatabase::build(const TePatchKey& key) {
 TeResult<TeMeshBuilder> TePatchDatabase::meshBuilder(const TePatchData& patch) const {
   if (!patch.hasHeights())
     return TeError{"patch " + patch.key().text() + ": has no heights yet"};
-  TePatchMesh mesh;
-  mesh.key = patch.key();
   const int cells = lattice().cells();
   TeMeshBlock block;
   block.heights = patch.heights().row(1) + 1;
@@ -73,7 +88,11 @@ TeResult<TeMeshBuilder> TePatchDatabase::meshBuilder(const TePatchData& patch) c
   block.missing = patch.hasMissing();
   const std::int64_t step = std::int64_t(1) << patch.key().level;
   block.first = tePatchFirstSample(lattice(), patch.key()) + step;
-  return TeMeshBuilder(lattice(), block, std::move(mesh));
+  return guarded([&]() -> TeResult<TeMeshBuilder> {
+    TePatchMesh mesh;
+    mesh.key = patch.key();
+    return TeMeshBuilder(lattice(), block, std::move(mesh));
+  });
 }
 
 TeResult<TePatchMesh> TePatchDatabase::patchMesh(const TePatchData& patch) const {
@@ -84,17 +103,19 @@ TeResult<TePatchMesh> TePatchDatabase::patchMesh(const TePatchData& patch) const
 }
 
 TeResult<TePatchMesh> TePatchDatabase::seamMesh(const TePatchData& patch, TeDirection direction) const {
-  return teBuildSeam(lattice(), patch, direction);
+  return guarded([&] { return teBuildSeam(lattice(), patch, direction); });
 }
 
 TeResult<TePatchMeshPtr> TePatchDatabase::seam(TePatchData& patch, TeDirection direction) {
-  if (!patch.seam(direction)) {
-    TeResult<TePatchMesh> mesh = seamMesh(patch, direction);
-    if (!mesh)
-      return mesh.error();
-    patch.shareSeam(direction, std::make_shared<const TePatchMesh>(std::move(*mesh)));
-  }
-  return patch.seam(direction);
+  return guarded([&]() -> TeResult<TePatchMeshPtr> {
+    if (!patch.seam(direction)) {
+      TeResult<TePatchMesh> mesh = teBuildSeam(lattice(), patch, direction);
+      if (!mesh)
+        return mesh.error();
+      patch.shareSeam(direction, std::make_shared<const TePatchMesh>(std::move(*mesh)));
+    }
+    return patch.seam(direction);
+  });
 }
 
 std::optional<double> TePatchDatabase::heightAt(glm::dvec2 point) const { return m_surface.heightAt(point); }

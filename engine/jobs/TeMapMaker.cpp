@@ -62,16 +62,28 @@ bool TeMapMaker::blocked(TeMapKey key) const {
   return entry.task || roomForTasks() == 0;
 }
 
+/// Work on a map that may run out of memory: what was made of it then is dropped.
+template <class Work> void TeMapMaker::guarded(Entry& entry, Work work) {
+  try {
+    work();
+  } catch (const std::bad_alloc&) {
+    dropTask(entry);
+    entry.job.reset();
+    entry.error = TeError{"out of memory"}; // short enough to need none
+  }
+}
+
 TeProgress TeMapMaker::provide(TeMapKey key, TeAllowance& allowance, TeSourceMapPtr& map, TeError& error) {
   const auto at = m_entries.find(key);
   assert(at != m_entries.end());
   Entry& entry = at->second;
-  if (!entry.map && !entry.error) {
-    if (m_pool && !entry.job)
-      handOver(key, entry, allowance);
-    else
-      slice(key, entry, allowance);
-  }
+  if (!entry.map && !entry.error)
+    guarded(entry, [&] {
+      if (m_pool && !entry.job)
+        handOver(key, entry, allowance);
+      else
+        slice(key, entry, allowance);
+    });
   if (entry.error) {
     error = *entry.error;
     return TeProgress::Failed;
@@ -131,7 +143,7 @@ bool TeMapMaker::beginTick() {
   const std::size_t before = m_handedOver;
   for (auto& [key, entry] : m_entries)
     if (entry.task && entry.task->ended())
-      collect(key, entry);
+      guarded(entry, [&, &key = key, &entry = entry] { collect(key, entry); });
   return m_handedOver < before;
 }
 
@@ -140,7 +152,7 @@ bool TeMapMaker::joinAll() {
   for (auto& [key, entry] : m_entries)
     if (entry.task) {
       m_pool->waitFor(*entry.task);
-      collect(key, entry);
+      guarded(entry, [&, &key = key, &entry = entry] { collect(key, entry); });
     }
   return before > 0;
 }

@@ -69,6 +69,7 @@ private:
     std::shared_ptr<TeMapTask> task;
   };
   std::size_t roomForTasks() const;
+  template <class Work> void guarded(Entry& entry, Work work);
   void handOver(TeMapKey key, Entry& entry, TeAllowance& allowance);
   void slice(TeMapKey key, Entry& entry, TeAllowance& allowance);
   void begin(TeMapKey key, Entry& entry);

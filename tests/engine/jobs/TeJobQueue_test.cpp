@@ -1,6 +1,9 @@
 #include "engine/jobs/TeJobQueue.h"
 
+#include "engine/TeStatistics.h"
 #include "engine/jobs/TeCountingJob.h"
+#include "engine/jobs/TeJobKind.h"
+#include "engine/jobs/TeJobState.h"
 
 #include <gtest/gtest.h>
 
