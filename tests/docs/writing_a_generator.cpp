@@ -69,7 +69,16 @@ TeStatus addDunes() {
 }
 //! [register]
 
+#include "engine/TeEngine.h"
+#include "engine/objects/TeAircraft.h"
+#include "nodes/TeNodes.h"
+
+#include <Inventor/nodes/SoPerspectiveCamera.h>
+#include <Inventor/nodes/SoSeparator.h>
+
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 namespace {
 
@@ -105,6 +114,40 @@ TEST(WritingAGenerator, TheExampleIsAGeneratorLikeOurs) {
   EXPECT_GE(statistics.minimum, 0);
   EXPECT_LE(statistics.maximum, 8);
   EXPECT_GT(statistics.maximum - statistics.minimum, 7);
+}
+
+// Nothing of the engine knows of dunes.
+TEST(WritingAGenerator, TheEngineMakesEndlessTerrainWithIt) {
+  TeNodes::init();
+  ASSERT_TRUE(addDunes().ok() || TeGeneratorRegistry::instance().help("dunes") == "parallel dunes");
+  const TeNodePtr<SoSeparator> scene(new SoSeparator);
+  auto* camera = new SoPerspectiveCamera;
+  scene->addChild(camera);
+  TeEngine engine(SbVec2s(33, 33), SbVec2f(64.0f, 64.0f));
+  engine.setSceneRoot(scene.get());
+  engine.setSceneCamera(camera);
+  auto aircraft = std::make_unique<TeAircraft>("mine");
+  ASSERT_TRUE(aircraft->setPosition({0, 0, 30}) && aircraft->setVelocity({0, 60, 0}));
+  engine.setActiveObject(engine.addObject(std::move(aircraft)));
+  //! [engine]
+  engine.setGenerator("dunes:height=12,wavelength=40");
+  engine.initialize();
+  //! [engine]
+  ASSERT_TRUE(engine.isInitialized()) << engine.lastError();
+  for (int tick = 0; tick < 60; ++tick)
+    engine.timeTick(1.0 / 30);
+  EXPECT_EQ(engine.getStatistics().framesWithoutGround, 0);
+  EXPECT_GT(engine.getActiveObject()->position().y, 100);
+
+  double lowest = INFINITY, highest = -INFINITY;
+  for (double x = -20; x <= 20; x += 0.5)
+    if (const auto height = engine.getDatabase()->heightAt({x, 118.0})) {
+      lowest = std::min(lowest, *height);
+      highest = std::max(highest, *height);
+    }
+  EXPECT_GE(lowest, 0);
+  EXPECT_LE(highest, 12);
+  EXPECT_GT(highest - lowest, 9) << "a dune from trough to crest";
 }
 
 } // namespace
