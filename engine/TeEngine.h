@@ -122,8 +122,8 @@ public:
   SbBool setBudget(double seconds);
   /// Units of work a tick instead of time, so that runs repeat to the bit; 0 = time. At any time.
   SbBool setUnitBudget(int units);
-  /// Wanted frames a second, 1 .. 1000: the budget then adapts to what drawing leaves of a frame (TeFrameBudget).
-  /// 0, the default: a fixed budget. At any time.
+  /// Wanted frames a second, 1 .. 1000: the budget then adapts to what drawing leaves of a frame
+  /// (TeFrameBudget). 0, the default: a fixed budget. At any time.
   SbBool setFrameRate(double framesPerSecond);
   /// Threads that fill source maps; 0 by default, at most kMaxWorkers.
   SbBool setWorkers(int workers);

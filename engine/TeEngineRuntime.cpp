@@ -13,6 +13,8 @@ namespace {
 constexpr double kHudSeconds = 0.1;
 /// Part of a tick's allowance that may go into buffers for the next anchor.
 constexpr double kAnchorShare = 0.25;
+/// Part of the longest time lately that is left after a tick.
+constexpr double kForget = 0.95;
 /// No unit is to take longer, at 65 samples.
 constexpr double kLongestUnit = 0.00025;
 constexpr std::size_t kAnchorBytes = 1 << 18; ///< where work is counted in units
@@ -110,16 +112,20 @@ TeStatus TeEngineRuntime::tick(double dt) {
   handleKeys();
   if (const TeStatus ok = simulate(m_paused ? 0 : dt); !ok)
     return ok;
-  followObject(dt);
   m_statistics.budgetSeconds = m_settings.budget.budget();
   TeAllowance slice = allowance();
+  followObject(dt);
   work(slice);
   countSlice(slice);
+  const double worked = teThreadCpuSeconds();
   updateCamera();
   updateStatistics();
   updateHud();
   ++m_statistics.ticks;
-  m_statistics.tickSeconds = teThreadCpuSeconds() - begin;
+  const double end = teThreadCpuSeconds();
+  m_statistics.tickSeconds = end - begin;
+  // What comes after the slice has to fit into the budget, too.
+  m_after = std::max(end - worked, kForget * m_after);
   m_tickOpen = true;
   callBack();
   return {};
@@ -233,8 +239,9 @@ void TeEngineRuntime::followObject(double dt) {
 }
 
 TeAllowance TeEngineRuntime::allowance() const {
-  return m_settings.unitBudget > 0 ? TeAllowance::units(m_settings.unitBudget)
-                                   : TeAllowance::seconds(m_settings.budget.allowance());
+  return m_settings.unitBudget > 0
+             ? TeAllowance::units(m_settings.unitBudget)
+             : TeAllowance::seconds(std::max(m_settings.budget.allowance() - m_after, 0.0));
 }
 
 void TeEngineRuntime::countSlice(const TeAllowance& slice) {
@@ -256,6 +263,7 @@ void TeEngineRuntime::work(TeAllowance& allowance) {
   drawing.resetFrame(anchorBytes);
   m_maps.setFixedJoin(m_settings.unitBudget > 0);
   m_maps.beginTick();
+  allowance.beginUnit();
   m_terrain.work(allowance);
   m_changed = m_terrain.takeChanged() || drawing.changesAnchor() || m_changed;
 }
@@ -326,7 +334,7 @@ void TeEngineRuntime::finishJobs() {
     TeAllowance all = TeAllowance::unlimited();
     work(all);
     m_maps.joinAll();
-  } while (!m_queue.empty());
+  } while (!m_terrain.complete());
   m_scene.finishAnchor();
   followObject(0);
   updateCamera();

@@ -31,25 +31,14 @@ TeTerrain::TeTerrain(TePatchDatabase& database, TeTerrainScene& scene, TeJobQueu
 
 TeTerrain::~TeTerrain() { m_queue.setFinished({}); }
 
-void TeTerrain::setRadius(int radius) {
-  m_block.radius = radius;
-  m_planned = false;
-}
-
-void TeTerrain::place(const TeObject& object) {
-  m_pinsChanged = m_pins.place(object, m_database.lattice()) || m_pinsChanged;
-}
-
-void TeTerrain::forget(const TeObject& object) {
-  m_pins.remove(object);
-  m_pinsChanged = true;
-}
-
 TeStatus TeTerrain::build(const TePatchKey& key) {
   if (const TeResult<TePatchData*> built = m_database.build(key); !built)
     return built.error();
   TeTerrainPatch& patch = m_patches[key];
+  if (patch.hasHeights)
+    return {};
   if (patch.heightsJob) {
+    --m_queued[std::size_t(patch.heightsJob->kind())];
     m_queue.cancel(*patch.heightsJob);
     patch.heightsJob = nullptr;
   }
@@ -68,25 +57,20 @@ bool TeTerrain::hasGround(const glm::dvec3& position) const {
 }
 
 bool TeTerrain::kept(const TePatchKey& key) const {
-  return TePatchBlock{m_block.centre, m_block.radius + kKeep}.contains(key) || wanted(key) || m_held(key);
+  return TePatchBlock{block().centre, block().radius + kKeep}.contains(key) || m_plan.wanted(key) ||
+         m_held(key);
 }
 
 bool TeTerrain::inView(const TePatchKey& key) const {
   const glm::dvec2 southWest = tePatchOrigin(m_database.lattice(), key);
   const double side = m_database.lattice().patchSide();
-  double lowest = m_lowest;
-  double highest = m_highest;
-  if (const TePatchData* patch = m_database.find(key); patch && patch->hasHeights()) {
-    lowest = patch->minimum();
-    highest = patch->maximum();
-  }
-  return m_view.frustum.meets({southWest, lowest}, {southWest + side, highest});
+  return m_view.frustum.meets({southWest, m_lowest}, {southWest + side, m_highest});
 }
 
 TeJobKind TeTerrain::kindOf(const TePatchKey& key) const {
-  if (m_pins.holds(key) || key == m_block.centre)
+  if (m_plan.pins().holds(key) || key == block().centre)
     return TeJobKind::Ground;
-  return m_block.contains(key) ? TeJobKind::Block : TeJobKind::Ahead;
+  return m_plan.inBlock(key) ? TeJobKind::Block : TeJobKind::Ahead;
 }
 
 TeUrgency TeTerrain::urgencyOf(const TePatchKey& key, TeTerrainPiece piece) const {
@@ -94,7 +78,7 @@ TeUrgency TeTerrain::urgencyOf(const TePatchKey& key, TeTerrainPiece piece) cons
   TeUrgency urgency{0, glm::length(way), key, int(piece)};
   switch (kindOf(key)) {
   case TeJobKind::Ground:
-    urgency.rank = key == m_block.centre ? 0 : 1;
+    urgency.rank = key == block().centre ? 0 : 1;
     break;
   case TeJobKind::Block:
     urgency.rank = inView(key) ? 0 : 1;
@@ -108,68 +92,73 @@ TeUrgency TeTerrain::urgencyOf(const TePatchKey& key, TeTerrainPiece piece) cons
 bool TeTerrain::follow(const TeTerrainView& view) {
   ++m_ticks;
   m_view = view;
-  const TeResult<TePatchKey> centre = tePatchAt(m_database.lattice(), {view.position.x, view.position.y});
-  if (!centre) // outside the world: what was shown last stays
-    return false;
-  const TePatchBlock block{*centre, m_block.radius};
-  std::vector<TePatchKey> centres =
-      TeLookAhead::centres(m_database.lattice(), glm::dvec2(view.position), glm::dvec2(view.velocity));
-  const bool jumped = m_planned && (std::llabs(centre->x - m_block.centre.x) > 2 * block.radius ||
-                                    std::llabs(centre->y - m_block.centre.y) > 2 * block.radius);
-  if (!m_planned || m_pinsChanged || !(block == m_block) || centres != m_centres) {
-    m_block = block;
-    m_centres = std::move(centres);
+  if (m_plan.update(m_database.lattice(), view) || m_ticks % kRetryTicks == 0) {
     replan();
-    return jumped;
+  } else {
+    const double side = m_database.lattice().patchSide();
+    if (glm::dot(m_view.frustum.direction(), m_reviewedView.frustum.direction()) < kTurned ||
+        glm::distance(m_view.position, m_reviewedView.position) > kMoved * side)
+      reviewJobs();
   }
-  if (m_ticks % kRetryTicks == 0)
-    replan();
-  const double side = m_database.lattice().patchSide();
-  if (glm::dot(m_view.frustum.direction(), m_reviewedView.frustum.direction()) < kTurned ||
-      glm::distance(m_view.position, m_reviewedView.position) > kMoved * side)
-    reviewJobs();
-  return false;
+  return m_plan.jumped();
 }
 
 void TeTerrain::replan() {
-  m_planned = true;
-  m_blockChanged = true;
-  m_pinsChanged = false;
-  m_ahead.clear();
-  const TePatchBlock* before = &m_block;
-  TePatchBlock foreseen;
-  for (const TePatchKey& centre : m_centres) {
-    TePatchBlock next{centre, m_block.radius};
-    next.forEach([&](const TePatchKey& key) {
-      if (!m_block.contains(key) && !before->contains(key))
-        m_ahead.insert(key);
-    });
-    foreseen = next;
-    before = &foreseen;
-  }
+  m_blockChanged = m_blockChanged || m_plan.blockChanged();
   reviewJobs();
-  m_pins.forEach([this](const TePatchKey& key) { want(key); });
-  m_block.forEach([this](const TePatchKey& key) { want(key); });
-  for (const TePatchKey& key : m_ahead)
-    want(key);
   updateScene();
 }
 
-void TeTerrain::want(const TePatchKey& key) {
-  TeTerrainPatch& patch = m_patches[key];
-  if (patch.heightsJob || m_ticks < patch.retryTick)
-    return;
-  if (!patch.hasHeights) {
-    // A program may have built it by itself.
-    if (const TePatchData* data = m_database.find(key); data && data->hasHeights())
-      gotHeights(key);
-    else
-      patch.heightsJob =
-          &m_queue.add(std::make_unique<TeHeightsJob>(m_database, m_maps, key, kindOf(key), urgencyOf(key)));
-    return;
+void TeTerrain::want(const TePatchKey& key, TeJobKind kind) {
+  if (const auto found = m_patches.find(key); found != m_patches.end()) {
+    const TeTerrainPatch& patch = found->second;
+    if (patch.hasHeights || patch.heightsJob || m_ticks < patch.retryTick)
+      return;
   }
-  for (const TeTerrainPiece piece : kTeTerrainPieces)
-    makePiece(key, piece);
+  // A program may have built it by itself.
+  if (const TePatchData* data = m_database.find(key); data && data->hasHeights())
+    gotHeights(key);
+  else
+    m_candidates[std::size_t(kind)].push_back(urgencyOf(key));
+}
+
+void TeTerrain::findCandidates() {
+  for (std::vector<TeUrgency>& candidates : m_candidates)
+    candidates.clear();
+  m_plan.pins().forEach([this](const TePatchKey& key) { want(key, TeJobKind::Ground); });
+  block().forEach([this](const TePatchKey& key) { want(key, kindOf(key)); });
+  m_plan.forEachAhead([this](const TePatchKey& key) { want(key, kindOf(key)); });
+  for (std::size_t kind = 0; kind < kQueued.size(); ++kind) {
+    std::vector<TeUrgency>& candidates = m_candidates[kind];
+    m_moreCandidates[kind] = candidates.size() > kQueued[kind];
+    if (m_moreCandidates[kind]) {
+      std::nth_element(candidates.begin(), candidates.begin() + std::ptrdiff_t(kQueued[kind]),
+                       candidates.end());
+      candidates.resize(kQueued[kind]);
+    }
+    std::sort(candidates.begin(), candidates.end(),
+              [](const TeUrgency& a, const TeUrgency& b) { return b < a; });
+  }
+}
+
+void TeTerrain::fillQueue() {
+  for (std::size_t kind = 0; kind < kQueued.size(); ++kind)
+    if (m_candidates[kind].empty() && m_moreCandidates[kind] && m_queued[kind] < kQueued[kind] / 2) {
+      findCandidates();
+      break;
+    }
+  for (std::size_t kind = 0; kind < kQueued.size(); ++kind) {
+    std::vector<TeUrgency>& candidates = m_candidates[kind];
+    for (; !candidates.empty() && m_queued[kind] < kQueued[kind]; candidates.pop_back()) {
+      const TeUrgency& urgency = candidates.back();
+      TeTerrainPatch& patch = m_patches[urgency.key];
+      if (patch.hasHeights || patch.heightsJob) // it was foreseen twice
+        continue;
+      patch.heightsJob = &m_queue.add(
+          std::make_unique<TeHeightsJob>(m_database, m_maps, urgency.key, TeJobKind(kind), urgency));
+      ++m_queued[kind];
+    }
+  }
 }
 
 void TeTerrain::makePiece(const TePatchKey& owner, TeTerrainPiece piece) {
@@ -177,11 +166,12 @@ void TeTerrain::makePiece(const TePatchKey& owner, TeTerrainPiece piece) {
   if (found == m_patches.end())
     return;
   TeTerrainPatch::Piece& record = found->second[piece];
-  if (record.job || record.made ||
-      !tePieceAll(owner, piece, [this](const TePatchKey& key) { return drawable(key) && hasHeights(key); }))
+  if (record.job || record.made || !tePieceAll(owner, piece, [this](const TePatchKey& key) {
+        return m_plan.drawable(key) && hasHeights(key);
+      }))
     return;
   const bool inBlock =
-      tePieceAll(owner, piece, [this](const TePatchKey& key) { return m_block.contains(key); });
+      tePieceAll(owner, piece, [this](const TePatchKey& key) { return m_plan.inBlock(key); });
   record.job = &m_queue.add(
       std::make_unique<TePieceJob>(m_database, owner, piece, m_colours, m_scene.drawing(),
                                    inBlock ? TeJobKind::Block : TeJobKind::Ahead, urgencyOf(owner, piece)));
@@ -197,10 +187,10 @@ void TeTerrain::gotHeights(const TePatchKey& key) {
   m_highest = m_made == 0 ? data->maximum() : std::max(m_highest, data->maximum());
   ++m_made;
   ++m_resident;
-  if (!m_madeKeys.insert(key).second)
+  if (!m_madeKeys.insert(key.x, key.y))
     ++m_madeAgain;
   m_events.push_back({Event::Kind::Ready, key, patch.graph, {}});
-  if (drawable(key))
+  if (m_plan.drawable(key))
     tePiecesAround(key, [this](const TePatchKey& owner, TeTerrainPiece piece) { makePiece(owner, piece); });
   updatePatch(key, patch);
 }
@@ -209,6 +199,7 @@ void TeTerrain::finished(TeJob& job, TeProgress progress) {
   if (auto* heights = dynamic_cast<TeHeightsJob*>(&job)) {
     TeTerrainPatch& patch = m_patches[heights->key()];
     patch.heightsJob = nullptr;
+    --m_queued[std::size_t(job.kind())];
     if (progress == TeProgress::Done) {
       gotHeights(heights->key());
     } else {
@@ -234,25 +225,29 @@ void TeTerrain::finished(TeJob& job, TeProgress progress) {
 
 void TeTerrain::reviewJobs() {
   m_reviewedView = m_view;
+  m_queued = {};
   m_queue.review(
       [this](TeJob& job, TeJobKind& kind, TeUrgency& urgency) { return reviewJob(job, kind, urgency); });
+  findCandidates();
 }
 
 bool TeTerrain::reviewJob(TeJob& job, TeJobKind& kind, TeUrgency& urgency) {
   if (const auto* heights = dynamic_cast<const TeHeightsJob*>(&job)) {
-    if (!wanted(heights->key())) {
+    if (!m_plan.wanted(heights->key())) {
       m_patches.erase(heights->key());
       return false;
     }
     kind = kindOf(heights->key());
+    ++m_queued[std::size_t(kind)];
     urgency = urgencyOf(heights->key());
   } else if (const auto* made = dynamic_cast<const TePieceJob*>(&job)) {
-    if (!tePieceAll(made->owner(), made->piece(), [this](const TePatchKey& key) { return drawable(key); })) {
+    if (!tePieceAll(made->owner(), made->piece(),
+                    [this](const TePatchKey& key) { return m_plan.drawable(key); })) {
       m_patches[made->owner()][made->piece()].job = nullptr;
       return false;
     }
     kind = tePieceAll(made->owner(), made->piece(),
-                      [this](const TePatchKey& key) { return m_block.contains(key); })
+                      [this](const TePatchKey& key) { return m_plan.inBlock(key); })
                ? TeJobKind::Block
                : TeJobKind::Ahead;
     urgency = urgencyOf(made->owner(), made->piece());
@@ -265,8 +260,13 @@ void TeTerrain::updateScene() {
   m_toDrop.clear();
   for (auto& [key, patch] : m_patches) {
     updatePatch(key, patch);
-    if (!kept(key))
+    if (patch.hasHeights && m_plan.drawable(key)) {
+      for (const TeTerrainPiece piece : kTeTerrainPieces)
+        if (!patch[piece].made && !patch[piece].job)
+          makePiece(key, piece);
+    } else if (!kept(key)) {
       m_toDrop.push_back(key);
+    }
   }
   std::sort(m_toDrop.begin(), m_toDrop.end());
 }
@@ -274,25 +274,25 @@ void TeTerrain::updateScene() {
 void TeTerrain::updatePatch(const TePatchKey& key, TeTerrainPatch& patch) {
   if (!patch.hasHeights)
     return;
-  const bool inBlock = m_block.contains(key);
+  const bool inBlock = m_plan.inBlock(key);
   if (inBlock != patch.inScene) {
     inBlock ? m_scene.add(patch.graph.get()) : m_scene.remove(patch.graph.get());
     patch.inScene = inBlock;
-    m_changed = m_blockChanged = true;
+    m_changed = true;
   }
   for (const TeTerrainPiece part : kTeTerrainPieces) {
     TeTerrainPatch::Piece& piece = patch[part];
     if (!piece.made)
       continue;
     const bool show =
-        tePieceAll(key, part, [this](const TePatchKey& other) { return m_block.contains(other); });
+        tePieceAll(key, part, [this](const TePatchKey& other) { return m_plan.inBlock(other); });
     if (show && !piece.shown)
       m_toShow.push_back({urgencyOf(key, part), key, part});
     if (!show && piece.shown) {
       if (piece.node)
         patch.graph->removeChild(piece.node.get());
       piece.shown = false;
-      m_changed = m_blockChanged = true;
+      m_changed = true;
     }
   }
 }
@@ -312,7 +312,7 @@ void TeTerrain::show(TeAllowance& allowance) {
     if (piece.shown || !piece.made)
       continue;
     piece.shown = true;
-    m_changed = m_blockChanged = true;
+    m_changed = true;
     if (!piece.node)
       continue;
     patch->second.graph->addChild(piece.node.get());
@@ -366,14 +366,23 @@ void TeTerrain::drop(const TePatchKey& key) {
 void TeTerrain::work(TeAllowance& allowance) {
   dropOld(allowance);
   show(allowance);
-  m_queue.run(allowance);
+  do
+    fillQueue();
+  while (m_queue.run(allowance) && !allowance.exhausted() && hasCandidates());
   if (!m_toShow.empty() && !allowance.exhausted())
     show(allowance);
 }
 
+bool TeTerrain::hasCandidates() const {
+  for (std::size_t kind = 0; kind < kQueued.size(); ++kind)
+    if (!m_candidates[kind].empty() || m_moreCandidates[kind])
+      return true;
+  return false;
+}
+
 bool TeTerrain::idle() const {
-  return m_queue.empty() && m_toShow.empty() && m_toDrop.empty() && !m_pinsChanged &&
-         !m_scene.drawing()->changesAnchor();
+  return m_queue.empty() && !hasCandidates() && m_toShow.empty() && m_toDrop.empty() &&
+         !m_plan.pinsChanged() && !m_scene.drawing()->changesAnchor();
 }
 
 bool TeTerrain::complete(const TePatchKey& key) const {
@@ -382,28 +391,35 @@ bool TeTerrain::complete(const TePatchKey& key) const {
     return false;
   for (const TeTerrainPiece part : kTeTerrainPieces)
     if (!found->second.pieces[std::size_t(part)].shown &&
-        tePieceAll(key, part, [this](const TePatchKey& other) { return m_block.contains(other); }))
+        tePieceAll(key, part, [this](const TePatchKey& other) { return m_plan.inBlock(other); }))
       return false;
   return true;
 }
 
 void TeTerrain::countBlock() {
-  m_blockCounts = {};
-  m_block.forEach([this](const TePatchKey& key) {
-    ++m_blockCounts.block;
-    if (complete(key)) {
-      ++m_blockCounts.drawn;
-      return;
-    }
-    ++m_blockCounts.missing;
+  // What is complete stays so until the block changes.
+  if (std::exchange(m_blockChanged, false)) {
+    m_missing.clear();
+    m_blockCounts = {};
+    block().forEach([this](const TePatchKey& key) {
+      m_missing.push_back(key);
+      ++m_blockCounts.block;
+    });
+  }
+  if (m_missing.empty())
+    return;
+  m_missing.erase(std::remove_if(m_missing.begin(), m_missing.end(),
+                                 [this](const TePatchKey& key) { return complete(key); }),
+                  m_missing.end());
+  m_blockCounts.missing = std::int64_t(m_missing.size());
+  m_blockCounts.drawn = m_blockCounts.block - m_blockCounts.missing;
+  m_blockCounts.missingInView = 0;
+  for (const TePatchKey& key : m_missing)
     m_blockCounts.missingInView += inView(key) ? 1 : 0;
-  });
 }
 
 void TeTerrain::count(TeStatistics& statistics) {
-  // What is complete stays so until the block or the scene changes.
-  if (std::exchange(m_blockChanged, false) || m_blockCounts.missing > 0)
-    countBlock();
+  countBlock();
   statistics.patches = m_blockCounts;
   statistics.patches.resident = m_resident;
   statistics.patches.made = m_made;
@@ -413,12 +429,12 @@ void TeTerrain::count(TeStatistics& statistics) {
   statistics.memory.meshes = m_meshBytes;
   statistics.memory.maps = m_database.maps().residentBytes();
   statistics.memory.buffers = m_scene.drawing()->bufferBytes();
-  statistics.memory.records = m_madeKeys.size() * 40;
+  statistics.memory.records = m_madeKeys.bytes();
 }
 
 std::uint64_t TeTerrain::hash() const {
-  std::uint64_t hash = teMix(std::uint64_t(m_block.radius));
-  m_block.forEach([&](const TePatchKey& key) {
+  std::uint64_t hash = teMix(std::uint64_t(block().radius));
+  block().forEach([&](const TePatchKey& key) {
     hash = teHashCombine(hash, std::uint64_t(key.x));
     hash = teHashCombine(hash, std::uint64_t(key.y));
     if (const TePatchData* patch = m_database.find(key); patch && patch->hasHeights())

@@ -3,17 +3,15 @@
 #include "engine/TeStatistics.h"
 #include "engine/jobs/TeJobQueue.h"
 #include "engine/jobs/TeMapMaker.h"
-#include "engine/terrain/TeGroundPins.h"
-#include "engine/terrain/TePatchBlock.h"
 #include "engine/terrain/TeTerrainPatch.h"
+#include "engine/terrain/TeTerrainPlan.h"
 #include "engine/terrain/TeTerrainScene.h"
-#include "engine/terrain/TeTerrainView.h"
 #include "nodes/TeSurfaceColours.h"
+#include "patchdb/TeKeySet.h"
 
 #include <deque>
 #include <functional>
 #include <unordered_map>
-#include <unordered_set>
 #include <vector>
 
 /// Keeps the right patches known and drawn: the block around the active object, those that will be needed
@@ -26,6 +24,9 @@ class TeTerrain {
 public:
   /// Patches that stay known beyond the block's rim.
   static constexpr int kKeep = 1;
+  /// Patches that are in the queue at most: the next are found when they are due, so that planning stays
+  /// cheap however many are missing.
+  static constexpr std::array<std::size_t, kTeJobKinds> kQueued = {256, 48, 16, 0};
   static constexpr std::int64_t kBytesPerUnit = 1 << 16; ///< of uploads, where work is counted in units
   static constexpr std::int64_t kRetryTicks = 100;       ///< after a patch could not be made
 
@@ -44,13 +45,13 @@ public:
   TeTerrain(const TeTerrain&) = delete;
   TeTerrain& operator=(const TeTerrain&) = delete;
 
-  void setRadius(int radius);
+  void setRadius(int radius) { m_plan.setRadius(radius); }
   /// For pieces made from now on.
   void setColours(const TeSurfaceColours& colours) { m_colours = colours; }
 
   /// The patch below an object is wanted from now on, wherever it is.
-  void place(const TeObject& object);
-  void forget(const TeObject& object);
+  void place(const TeObject& object) { m_plan.place(object, m_database.lattice()); }
+  void forget(const TeObject& object) { m_plan.forget(object); }
 
   /// Makes a patch known at once.
   TeStatus build(const TePatchKey& key);
@@ -62,10 +63,12 @@ public:
 
   /// Nothing is left to be made, shown or dropped.
   bool idle() const;
+  /// Nothing is left to be made but what could not be made lately.
+  bool complete() const { return m_queue.empty() && !hasCandidates(); }
   /// True once after something in the scene has changed.
   bool takeChanged() { return std::exchange(m_changed, false); }
   std::vector<Event> takeEvents() { return std::move(m_events); }
-  const TePatchBlock& block() const { return m_block; }
+  const TePatchBlock& block() const { return m_plan.block(); }
   bool hasGround(const glm::dvec3& position) const;
   void count(TeStatistics& statistics);
   /// Of the heights of the block's patches.
@@ -79,8 +82,6 @@ private:
     TeTerrainPiece piece;
   };
 
-  bool drawable(const TePatchKey& key) const { return m_block.contains(key) || m_ahead.count(key) > 0; }
-  bool wanted(const TePatchKey& key) const { return drawable(key) || m_pins.holds(key); }
   bool kept(const TePatchKey& key) const;
   bool hasHeights(const TePatchKey& key) const;
   TeJobKind kindOf(const TePatchKey& key) const;
@@ -90,7 +91,12 @@ private:
   void replan();
   void reviewJobs();
   bool reviewJob(TeJob& job, TeJobKind& kind, TeUrgency& urgency);
-  void want(const TePatchKey& key);
+  /// Notes that a patch is missing, unless it is being made.
+  void want(const TePatchKey& key, TeJobKind kind);
+  void findCandidates();
+  /// Turns the most urgent candidates into jobs.
+  void fillQueue();
+  bool hasCandidates() const;
   void gotHeights(const TePatchKey& key);
   void finished(TeJob& job, TeProgress progress);
   void makePiece(const TePatchKey& owner, TeTerrainPiece piece);
@@ -110,12 +116,11 @@ private:
   TeSurfaceColours m_colours;
   TeTerrainView m_view;
   TeTerrainView m_reviewedView; ///< for which urgencies were found
-  TePatchBlock m_block;
-  bool m_planned = false;
-  std::vector<TePatchKey> m_centres; ///< of blocks foreseen
-  std::unordered_set<TePatchKey, TePatchKeyHash> m_ahead;
-  TeGroundPins m_pins;
-  bool m_pinsChanged = false;
+  TeTerrainPlan m_plan;
+  /// Missing patches by kind, the most urgent last; m_moreCandidates: there are others, less urgent.
+  std::array<std::vector<TeUrgency>, kTeJobKinds> m_candidates;
+  std::array<bool, kTeJobKinds> m_moreCandidates{};
+  std::array<std::size_t, kTeJobKinds> m_queued{}; ///< patches in the queue
   Patches m_patches;
   std::vector<Shown> m_toShow;
   std::deque<TePatchKey> m_toDrop;
@@ -126,8 +131,9 @@ private:
   bool m_changed = false;
   bool m_blockChanged = false;
   TeStatistics::Patches m_blockCounts;
+  std::vector<TePatchKey> m_missing; ///< patches of the block that are not complete in the scene
   std::vector<Event> m_events;
-  std::unordered_set<TePatchKey, TePatchKeyHash> m_madeKeys;
+  TeKeySet m_madeKeys;
   std::int64_t m_resident = 0;
   std::int64_t m_made = 0;
   std::int64_t m_madeAgain = 0;

@@ -1,0 +1,56 @@
+#pragma once
+
+#include "engine/terrain/TeGroundPins.h"
+#include "engine/terrain/TePatchBlock.h"
+#include "engine/terrain/TeTerrainView.h"
+
+#include <vector>
+
+/// Which patches are wanted for a view: the block around the active object, the blocks that it will need
+/// soon, and the patches below objects.
+class TeTerrainPlan {
+public:
+  void setRadius(int radius);
+  int radius() const { return m_block.radius; }
+
+  /// Finds what is wanted now. True if that has changed. Outside the world all stays as it was.
+  bool update(const TeLattice& lattice, const TeTerrainView& view);
+  /// Of the last update.
+  bool blockChanged() const { return m_blockChanged; }
+  /// The block has nothing in common with the one before.
+  bool jumped() const { return m_jumped; }
+
+  const TePatchBlock& block() const { return m_block; }
+  bool inBlock(const TePatchKey& key) const { return m_block.contains(key); }
+  /// In the block, or in one that will be needed soon: its pieces are made.
+  bool drawable(const TePatchKey& key) const;
+  bool wanted(const TePatchKey& key) const { return drawable(key) || m_pins.holds(key); }
+
+  /// visit(key) for what is foreseen and not in the block; some keys may come twice.
+  template <class Visit> void forEachAhead(const Visit& visit) const {
+    TePatchBlock before = m_block;
+    for (const TePatchKey& centre : m_centres) {
+      const TePatchBlock next{centre, m_block.radius};
+      next.forEachBeyond(before, [&](const TePatchKey& key) {
+        if (!m_block.contains(key))
+          visit(key);
+      });
+      before = next;
+    }
+  }
+
+  const TeGroundPins& pins() const { return m_pins; }
+  void place(const TeObject& object, const TeLattice& lattice);
+  void forget(const TeObject& object);
+  /// True if an object has moved to another patch since the last update.
+  bool pinsChanged() const { return m_pinsChanged; }
+
+private:
+  TePatchBlock m_block;
+  std::vector<TePatchKey> m_centres; ///< of the blocks foreseen
+  TeGroundPins m_pins;
+  bool m_pinsChanged = false;
+  bool m_known = false; ///< there was an update with this radius
+  bool m_blockChanged = false;
+  bool m_jumped = false;
+};
