@@ -7,19 +7,28 @@
 #include "render/magenta.h"
 #include "render/meshScene.h"
 
+#include <Inventor/actions/SoGLRenderAction.h>
+#include <Inventor/nodes/SoCallback.h>
+#include <Inventor/nodes/SoCone.h>
 #include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoEnvironment.h>
 #include <Inventor/nodes/SoFragmentShader.h>
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoShaderProgram.h>
+#include <Inventor/nodes/SoSphere.h>
 #include <Inventor/nodes/SoTexture2.h>
 #include <Inventor/nodes/SoTextureCoordinatePlane.h>
 #include <Inventor/nodes/SoTransform.h>
+#include <Inventor/nodes/SoTranslation.h>
 #include <Inventor/nodes/SoVertexShader.h>
+
+#include <GL/glext.h>
 
 #include <cmath>
 #include <cstdio>
+#include <cstring>
+#include <type_traits>
 
 namespace {
 
@@ -56,6 +65,129 @@ TeStaticBlock holes() {
   });
   return meshBlock(worldOf(source, 33));
 }
+
+/// OpenGL state that a neighbour may rely on.
+struct GlState {
+  GLint vertexArray = 0;
+  GLint arrayBuffer = 0;
+  GLint elementBuffer = 0;
+  GLint program = 0;
+  GLint activeTexture = 0;
+  GLint clientTexture = 0;
+  GLint vertexArrayOn = 0, normalArrayOn = 0, colourArrayOn = 0;
+  GLint colourBuffer = 0; ///< that the colour array reads from
+  GLint clientDepth = 0;
+  GLint isBlended = 0, isDepthTested = 0, isCulled = 0;
+  GLint texture = 0;
+
+  bool operator==(const GlState& other) const { return std::memcmp(this, &other, sizeof *this) == 0; }
+};
+
+/// Puts OpenGL into a state that is not the usual one, and looks at what is left of it: to be put around a
+/// mesh.
+class Neighbour {
+public:
+  explicit Neighbour(const TeContext& context) : m_gl(context.gl()) {
+    const auto find = [&](auto*& function, const char* name) {
+      function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(context.procAddress(name));
+      ASSERT_TRUE(function) << name;
+    };
+    find(m_genVertexArrays, "glGenVertexArrays");
+    find(m_bindVertexArray, "glBindVertexArray");
+    find(m_genBuffers, "glGenBuffers");
+    find(m_bindBuffer, "glBindBuffer");
+    find(m_bufferData, "glBufferData");
+    find(m_enableClientState, "glEnableClientState");
+    find(m_colorPointer, "glColorPointer");
+    find(m_enableVertexAttribArray, "glEnableVertexAttribArray");
+    find(m_vertexAttribPointer, "glVertexAttribPointer");
+  }
+
+  TeNodePtr<SoCallback> before() {
+    return callback([](void* self, SoAction* action) {
+      if (action->isOfType(SoGLRenderAction::getClassTypeId()))
+        static_cast<Neighbour*>(self)->bind();
+    });
+  }
+  TeNodePtr<SoCallback> after() {
+    return callback([](void* self, SoAction* action) {
+      if (action->isOfType(SoGLRenderAction::getClassTypeId()))
+        static_cast<Neighbour*>(self)->unbind();
+    });
+  }
+
+  int looks = 0;
+  int changes = 0;
+
+private:
+  static TeNodePtr<SoCallback> callback(SoCallbackCB* function, void* self) {
+    TeNodePtr<SoCallback> node(new SoCallback);
+    node->setCallback(function, self);
+    return node;
+  }
+  TeNodePtr<SoCallback> callback(SoCallbackCB* function) { return callback(function, this); }
+
+  void bind() {
+    if (!m_vertexArray) {
+      m_genVertexArrays(1, &m_vertexArray);
+      m_genBuffers(2, m_buffers);
+      const float colours[8] = {};
+      for (const GLuint buffer : m_buffers) {
+        m_bindBuffer(GL_ARRAY_BUFFER, buffer);
+        m_bufferData(GL_ARRAY_BUFFER, sizeof colours, colours, GL_STATIC_DRAW);
+      }
+    }
+    m_bindVertexArray(m_vertexArray);
+    m_bindBuffer(GL_ARRAY_BUFFER, m_buffers[0]);
+    m_bindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_buffers[1]);
+    m_colorPointer(4, GL_FLOAT, 0, nullptr);
+    m_enableClientState(GL_COLOR_ARRAY);
+    m_vertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, 0, nullptr); // comes before the vertex array
+    m_enableVertexAttribArray(0);
+    m_before = look();
+  }
+
+  void unbind() {
+    looks++;
+    changes += !(look() == m_before);
+    m_bindVertexArray(0);
+    m_bindBuffer(GL_ARRAY_BUFFER, 0);
+  }
+
+  GlState look() const {
+    GlState state;
+    m_gl.getIntegerv(GL_VERTEX_ARRAY_BINDING, &state.vertexArray);
+    m_gl.getIntegerv(GL_ARRAY_BUFFER_BINDING, &state.arrayBuffer);
+    m_gl.getIntegerv(GL_ELEMENT_ARRAY_BUFFER_BINDING, &state.elementBuffer);
+    m_gl.getIntegerv(GL_CURRENT_PROGRAM, &state.program);
+    m_gl.getIntegerv(GL_ACTIVE_TEXTURE, &state.activeTexture);
+    m_gl.getIntegerv(GL_CLIENT_ACTIVE_TEXTURE, &state.clientTexture);
+    m_gl.getIntegerv(GL_VERTEX_ARRAY, &state.vertexArrayOn);
+    m_gl.getIntegerv(GL_NORMAL_ARRAY, &state.normalArrayOn);
+    m_gl.getIntegerv(GL_COLOR_ARRAY, &state.colourArrayOn);
+    m_gl.getIntegerv(GL_COLOR_ARRAY_BUFFER_BINDING, &state.colourBuffer);
+    m_gl.getIntegerv(GL_CLIENT_ATTRIB_STACK_DEPTH, &state.clientDepth);
+    m_gl.getIntegerv(GL_BLEND, &state.isBlended);
+    m_gl.getIntegerv(GL_DEPTH_TEST, &state.isDepthTested);
+    m_gl.getIntegerv(GL_CULL_FACE, &state.isCulled);
+    m_gl.getIntegerv(GL_TEXTURE_BINDING_2D, &state.texture);
+    return state;
+  }
+
+  const TeGlTable& m_gl;
+  void (*m_genVertexArrays)(GLsizei, GLuint*) = nullptr;
+  void (*m_bindVertexArray)(GLuint) = nullptr;
+  void (*m_genBuffers)(GLsizei, GLuint*) = nullptr;
+  void (*m_bindBuffer)(GLenum, GLuint) = nullptr;
+  void (*m_bufferData)(GLenum, GLsizeiptr, const void*, GLenum) = nullptr;
+  void (*m_enableClientState)(GLenum) = nullptr;
+  void (*m_colorPointer)(GLint, GLenum, GLsizei, const void*) = nullptr;
+  void (*m_enableVertexAttribArray)(GLuint) = nullptr;
+  void (*m_vertexAttribPointer)(GLuint, GLint, GLenum, GLboolean, GLsizei, const void*) = nullptr;
+  GLuint m_vertexArray = 0;
+  GLuint m_buffers[2] = {};
+  GlState m_before;
+};
 
 } // namespace
 
@@ -182,6 +314,74 @@ TEST_F(SoTeTerrainMeshTest, IsDrawnByTheScenesShaders) {
   program->shaderObject.set1Value(0, vertex);
   program->shaderObject.set1Value(1, fragment);
   EXPECT_LE(compareWithCoin(faults(), {program}, "shader").largest, 1);
+}
+
+TEST_F(SoTeTerrainMeshTest, LeavesOpenGlAsItFoundIt) {
+  const TeStaticBlock block = faults();
+  TeNodePtr<SoSeparator> terrain = meshGraph(block, drawingOf(block));
+  Neighbour neighbour(context());
+  TeNodePtr<SoSeparator> graph(new SoSeparator);
+  graph->addChild(terrain->getChild(0));
+  graph->addChild(terrain->getChild(1));
+  for (int i = 2; i < terrain->getNumChildren(); i++) {
+    graph->addChild(neighbour.before().get());
+    graph->addChild(terrain->getChild(i));
+    graph->addChild(neighbour.after().get());
+  }
+  const auto scene = sideView(graph.get());
+  const TePicture first = draw(scene.get(), 160, 120, "mesh-state"); // with uploads
+  EXPECT_EQ(draw(scene.get(), 160, 120), first);
+  EXPECT_EQ(neighbour.looks, 2 * 25);
+  EXPECT_EQ(neighbour.changes, 0);
+  EXPECT_EQ(first, draw(sideView(terrain.get()).get(), 160, 120));
+}
+
+// A shape of Coin's own, drawn from its buffers and with its material, is the same before and after terrain.
+TEST_F(SoTeTerrainMeshTest, NeighboursLookAsWithoutIt) {
+  const TeStaticBlock block = faults();
+  const auto shapes = [](float x) {
+    auto* root = new SoSeparator;
+    auto* translation = new SoTranslation;
+    translation->translation.setValue(x, 0, 0);
+    root->addChild(translation);
+    auto* sphere = new SoSphere; // with the default material that came before
+    sphere->radius = 6;
+    root->addChild(sphere);
+    auto* material = new SoMaterial;
+    material->diffuseColor.setValue(0.9f, 0.3f, 0.1f);
+    root->addChild(material);
+    auto* away = new SoTranslation;
+    away->translation.setValue(0, 14, 0);
+    root->addChild(away);
+    root->addChild(new SoCone);
+    return root;
+  };
+  const auto hidden = drawingOf(block);
+  TeNodePtr<SoSeparator> alone(new SoSeparator);
+  TeNodePtr<SoSeparator> among(new SoSeparator);
+  for (SoSeparator* root : {alone.get(), among.get()}) {
+    root->addChild(shapes(-12));
+    if (root == among.get()) {
+      auto* aside = new SoSeparator;
+      auto* translation = new SoTranslation;
+      translation->translation.setValue(0, 0, -500); // out of view: only its traces could be seen
+      aside->addChild(translation);
+      aside->addChild(meshGraph(block, drawingOf(block)).get());
+      auto* near = new SoSeparator;
+      auto* scale = new SoTransform;
+      scale->scaleFactor.setValue(1e-4f, 1e-4f, 1e-4f); // drawn, and hidden in the sphere
+      scale->translation.setValue(-12, 0, 0);
+      near->addChild(scale);
+      near->addChild(meshGraph(block, hidden).get());
+      root->addChild(aside);
+      root->addChild(near);
+    }
+    root->addChild(shapes(12));
+  }
+  for (int frame = 0; frame < 3; frame++)
+    EXPECT_EQ(draw(sideView(alone.get(), 60).get(), 160, 120),
+              draw(sideView(among.get(), 60).get(), 160, 120));
+  EXPECT_EQ(hidden->frame().meshesDrawn, 3 * 25);
 }
 
 TEST_F(SoTeTerrainMeshTest, RenderCachingChangesNoPixel) {
