@@ -45,3 +45,11 @@ TEST(TeSurfaceColours, FlatOrHugeRangesGiveColours) {
     }
   }
 }
+
+TEST(TeSurfaceColours, PackedIsTheNearestByteOfEachChannel) {
+  TeSurfaceColours colours;
+  colours.grass = {0.2f, 1.5f, -1};
+  colours.rockLine = 1000;
+  colours.snowLine = 2000;
+  EXPECT_EQ(colours.packed(0, kUp), 0x33FF00FFu);
+}
