@@ -319,6 +319,8 @@ void TeEngine::finishJobs() {
 
 bool TeEngine::isIdle() const { return !m_runtime || m_runtime->isIdle(); }
 
+bool TeEngine::isMoving() const { return m_runtime && m_runtime->isMoving(); }
+
 bool TeEngine::needsRedraw() const { return m_runtime && m_runtime->needsRedraw(); }
 
 void TeEngine::frameDrawn(double frameSeconds, double drawSeconds) {

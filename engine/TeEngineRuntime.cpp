@@ -344,6 +344,8 @@ void TeEngineRuntime::finishJobs() {
   callBack();
 }
 
-bool TeEngineRuntime::isIdle() const {
-  return (m_paused || !m_objects.anyAwake()) && m_keys.empty() && !m_rig.moving() && m_terrain.idle();
+bool TeEngineRuntime::isMoving() const {
+  return (!m_paused && m_objects.anyAwake()) || !m_keys.empty() || m_rig.moving();
 }
+
+bool TeEngineRuntime::isIdle() const { return !isMoving() && m_terrain.idle(); }

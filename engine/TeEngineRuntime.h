@@ -41,6 +41,7 @@ public:
   void setColours(const TeSurfaceColours& colours) { m_terrain.setColours(colours); }
 
   bool isIdle() const;
+  bool isMoving() const;
   bool needsRedraw() const { return m_changed; }
   const TeStatistics& statistics() const { return m_statistics; }
   std::uint64_t terrainHash() const { return m_terrain.hash(); }

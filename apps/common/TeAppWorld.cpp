@@ -84,6 +84,8 @@ TeResult<TeAppWorld> TeAppWorld::create(const TeTerrainOptions& options, int pat
   const TeResult<TeLattice> lattice = TeLattice::create(terrain->samples, terrain->spacing);
   if (!lattice)
     return lattice.error();
+  if (const TeStatus ok = (*source)->accepts(terrain->samples, terrain->samples); !ok)
+    return ok.error();
   made.world.lattice = *lattice;
   made.world.seed = seed;
   made.source = std::move(*source);

@@ -6,11 +6,9 @@
 #include <glm/vec2.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cstdint>
+#include <map>
 #include <optional>
 #include <string>
-#include <utility>
-#include <vector>
 
 class SoSeparator;
 class TeEngine;
@@ -18,7 +16,8 @@ class TeEngine;
 /// What one application adds to a run of the engine (TeEngineRun): its objects, its keys, its figures.
 class TeEngineApp {
 public:
-  using Settings = std::vector<std::pair<std::string, std::string>>;
+  /// Values by name; names have no spaces.
+  using Settings = std::map<std::string, std::string>;
 
   virtual ~TeEngineApp() = default;
 

@@ -68,8 +68,6 @@ void TeEngineOptions::addTo(TeCommandLine& commandLine) {
 TeStatus TeEngineOptions::check(const TeCommonOptions& common) const {
   if (units != 0 && common.dt == 0)
     return TeError{"--units needs --dt: without it time decides"};
-  if (!record.empty() && common.dt == 0)
-    return TeError{"--record needs --dt: only runs with a fixed step repeat"};
   return terrain.check();
 }
 

@@ -21,7 +21,9 @@ TeReport::TeReport(const std::string& application, const std::string& arguments)
 void TeReport::addTime(const std::string& name, double seconds) { m_json["times_ms"][name] = seconds * 1000; }
 
 TeStatus TeReport::write(const std::string& file) {
-  m_json["memory_peak_bytes"] = tePeakMemoryBytes();
+  // Beside those by kind, if the application has told any.
+  auto& memory = m_json["memory_peak_bytes"];
+  (memory.is_object() ? memory["process"] : memory) = tePeakMemoryBytes();
   std::ofstream stream(file);
   stream << m_json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) << '\n';
   stream.close();

@@ -1,0 +1,100 @@
+#include "apps/common/TeWindowRun.h"
+
+#include "engine/input/TeRecordingFormat.h"
+#include "engine/loop/TeEngineLoop.h"
+#include "generators/base/TeHash.h"
+#include "nodes/context/TeWindow.h"
+
+#include <algorithm>
+
+namespace {
+
+/// Joins a session, a loop and a window.
+class Client : public TeWindowClient {
+public:
+  explicit Client(TeEngineSession& session)
+      : m_session(session), m_loop(session.engine(), &session.stage().scene()) {
+    m_loop.setBeforeTick([this](double passed) { return m_session.beforeTick(passed); });
+    m_loop.setAfterTick([this] { ticked(); });
+    m_loop.setKeyFilter([this](const TeKeyEvent& key) { return heard(key); });
+  }
+
+  TeStatus setRate(double framesPerSecond) {
+    return framesPerSecond > 0 ? m_loop.setRate(framesPerSecond) : TeStatus();
+  }
+  const TeStatus& status() const { return m_status; }
+
+  void opened(TeWindow& window) override {
+    m_window = &window;
+    m_loop.start();
+  }
+  void resized(int width, int height) override { m_session.stage().setSize(width, height); }
+  void drawn(double frameSeconds, double drawSeconds) override {
+    m_loop.frameDrawn(frameSeconds, drawSeconds);
+    m_session.log().drawn(m_session.engine());
+  }
+  void keysLost() override { m_loop.releaseKeys(); }
+
+private:
+  /// A replay has its own keys; only Esc counts.
+  bool heard(const TeKeyEvent& key) {
+    if (m_session.replays()) {
+      if (key.key == SoKeyboardEvent::ESCAPE)
+        end();
+      return false;
+    }
+    m_session.heard(key);
+    return true;
+  }
+
+  void ticked() {
+    m_status = m_session.afterTick();
+    if (m_session.takePictureWanted())
+      m_window->capture([this](const TeResult<TePicture>& picture) { m_session.savePicture(picture); });
+    if (!m_status || m_session.ended())
+      end();
+  }
+
+  void end() {
+    m_loop.stop();
+    m_window->close();
+  }
+
+  TeEngineSession& m_session;
+  TeEngineLoop m_loop;
+  TeWindow* m_window = nullptr;
+  TeStatus m_status;
+};
+
+} // namespace
+
+TeStatus teRunInWindow(TeEngineSession& session, const std::string& title, TeReport& report) {
+  const TeCommonOptions& common = session.common();
+  TeViewerOptions viewer;
+  viewer.title = title;
+  viewer.width = common.width;
+  viewer.height = common.height;
+  viewer.background = session.stage().background();
+  viewer.frames = common.offscreen.empty() ? common.frames : std::max(1, common.frames);
+  Client client(session);
+  if (const TeStatus ok = client.setRate(session.options().fps); !ok)
+    return ok;
+  const TeResult<TeViewerSession> shown = teRunWindow(&session.stage().all(), viewer, client);
+  if (!shown)
+    return shown.error();
+  if (!client.status())
+    return client.status();
+  auto& json = report.json();
+  json["context"] = common.context;
+  json["renderer"] = shown->renderer;
+  json["frames"] = session.engine().getStatistics().redraws;
+  report.addTime("frame_mean", shown->meanSeconds);
+  report.addTime("frame_longest", shown->longestSeconds);
+  json["state_hash"] = TeRecordingFormat::hashText(session.engine().stateHash());
+  const TePicture& picture = shown->picture;
+  if (picture.rgba.empty())
+    return {};
+  json["picture_size"] = {picture.width, picture.height};
+  json["picture_hash"] = TeRecordingFormat::hashText(teHashBytes(picture.rgba.data(), picture.rgba.size()));
+  return common.offscreen.empty() ? TeStatus() : picture.writePng(common.offscreen);
+}
