@@ -40,11 +40,11 @@ public:
   void update(double dt);
   /// Whether update() would move it.
   bool moving() const;
-  /// Puts the camera back to the object's own offsets.
+  /// Puts the camera of the present person back to the object's own offset.
   void reset();
   /// Forgets held keys, as when a window loses them.
   void releaseKeys() { m_keys.clear(); }
-  /// From the object's own offset, in its frame; metres. Error: not finite or beyond kLargestMove.
+  /// Of the present person, from the object's own offset, in its frame; metres. Error: not finite or beyond kLargestMove.
   TeStatus setMoved(const glm::dvec3& moved);
   const glm::dvec3& moved() const { return m_moved[std::size_t(m_person)]; }
 

@@ -56,30 +56,18 @@ TeTextPanel::TeTextPanel()
 bool TeTextPanel::setLines(const std::vector<std::string>& lines) {
   if (lines == m_lines)
     return false;
-  const glm::ivec2 sizeBefore = size();
   if (lines.size() != m_lines.size())
     m_columns = 0;
   m_lines = lines;
   for (const std::string& line : lines)
     m_columns = std::max(m_columns, columnsOf(line));
-
-  std::vector<SbString> texts;
-  for (const std::string& line : lines)
-    texts.emplace_back(line.c_str());
-  const SbBool notified = m_text->string.enableNotify(FALSE); // once, not for every line
-  m_text->string.setNum(int(texts.size()));
-  m_text->string.setValues(0, int(texts.size()), texts.data());
-  m_text->string.enableNotify(notified);
-  m_text->string.touch();
-  if (size() != sizeBefore)
-    updateRectangle();
-  updateSwitch();
-  return true;
+  m_textIsOld = true;
+  return update();
 }
 
 bool TeTextPanel::setShown(bool shown) {
   m_shown = shown;
-  return updateSwitch();
+  return update();
 }
 
 bool TeTextPanel::setTopLeft(glm::ivec2 place) {
@@ -94,17 +82,36 @@ glm::ivec2 TeTextPanel::size() const {
   return {m_columns * kColumnWidth + 2 * kMargin, int(m_lines.size()) * kLineHeight + 2 * kMargin};
 }
 
-bool TeTextPanel::updateSwitch() {
-  const int child = m_shown && !m_lines.empty() ? SO_SWITCH_ALL : SO_SWITCH_NONE;
+bool TeTextPanel::update() {
+  const bool visible = m_shown && !m_lines.empty();
+  const bool newText = visible && m_textIsOld;
+  if (newText)
+    updateText();
+  const int child = visible ? SO_SWITCH_ALL : SO_SWITCH_NONE;
   if (m_switch->whichChild.getValue() == child)
-    return false;
+    return newText;
   m_switch->whichChild = child;
   return true;
+}
+
+void TeTextPanel::updateText() {
+  std::vector<SbString> texts;
+  for (const std::string& line : m_lines)
+    texts.emplace_back(line.c_str());
+  const SbBool notified = m_text->string.enableNotify(FALSE); // once, not for every line
+  m_text->string.setNum(int(texts.size()));
+  m_text->string.setValues(0, int(texts.size()), texts.data());
+  m_text->string.enableNotify(notified);
+  m_text->string.touch();
+  updateRectangle();
+  m_textIsOld = false;
 }
 
 void TeTextPanel::updateRectangle() {
   const float width = float(size().x);
   const float height = float(size().y);
   const SbVec3f corners[4] = {{0, -height, 0}, {width, -height, 0}, {width, 0, 0}, {0, 0, 0}};
+  if (m_corners->vertex.getNum() == 4 && m_corners->vertex[1] == corners[1])
+    return;
   m_corners->vertex.setValues(0, 4, corners);
 }

@@ -23,7 +23,7 @@ public:
   TeTextPanel();
 
   SoSwitch* node() const { return m_switch.get(); }
-  /// Lines of printable text. True if nodes changed.
+  /// Lines of printable text. True if nodes changed, which waits until they are shown.
   bool setLines(const std::vector<std::string>& lines);
   const std::vector<std::string>& lines() const { return m_lines; }
   /// A panel without lines is not shown either. True if nodes changed.
@@ -34,7 +34,8 @@ public:
   glm::ivec2 size() const;
 
 private:
-  bool updateSwitch();
+  bool update();
+  void updateText();
   void updateRectangle();
 
   TeNodePtr<SoSwitch> m_switch;
@@ -45,4 +46,5 @@ private:
   glm::ivec2 m_topLeft{0};
   int m_columns = 0;
   bool m_shown = true;
+  bool m_textIsOld = false;
 };

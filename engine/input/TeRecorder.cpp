@@ -13,6 +13,8 @@ namespace fs = std::filesystem;
 TeRecorder::TeRecorder(std::string file) : m_file(std::move(file)), m_part(m_file + ".part") {}
 
 TeResult<std::unique_ptr<TeRecorder>> TeRecorder::create(const std::string& file, const Settings& settings) {
+  if (file.empty())
+    return TeError{"TeRecorder: cannot be written: no file was named"};
   for (const auto& [name, value] : settings)
     if (const std::string fault = TeRecordingFormat::settingFault(name, value); !fault.empty())
       return TeError{file + ": cannot be recorded: " + fault};
