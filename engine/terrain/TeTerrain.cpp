@@ -326,8 +326,8 @@ void TeTerrain::show(TeAllowance& allowance) {
 
 void TeTerrain::dropOld(TeAllowance& allowance) {
   // Twice as fast as patches can be made, so that memory is bounded; deleting one is far cheaper.
-  constexpr int kPatchesPerUnit = 8;
-  for (int unit = 0; unit < 4 && !m_toDrop.empty(); ++unit) {
+  constexpr int kPatchesPerUnit = 2;
+  for (int unit = 0; unit < 16 && !m_toDrop.empty(); ++unit) {
     for (int i = 0; i < kPatchesPerUnit && !m_toDrop.empty(); ++i) {
       drop(m_toDrop.front());
       m_toDrop.pop_front();

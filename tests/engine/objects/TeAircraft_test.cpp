@@ -239,7 +239,8 @@ TEST_F(TeAircraftTest, ItsModelsAgree) {
     EXPECT_NEAR(drawn.getMin()[i], shape.centre[i] - shape.halfExtents[i], 0.1) << i;
     EXPECT_NEAR(drawn.getMax()[i], shape.centre[i] + shape.halfExtents[i], 0.1) << i;
   }
-  EXPECT_GT(shape.centre.z - shape.halfExtents.z, -TeAircraft::kClearance) << "its body stays above the ground, too";
+  EXPECT_GT(shape.centre.z - shape.halfExtents.z, -TeAircraft::kClearance)
+      << "its body stays above the ground, too";
 }
 
 } // namespace
