@@ -16,13 +16,16 @@ public:
   TeJob& operator=(const TeJob&) = delete;
 
   /// Does units of work, each at most about 0.25 ms, until the allowance is spent, at least one unless
-  /// blocked(). After Done or Failed it is not called again.
+  /// blocked(). After Done or Failed it is not called again. It may throw std::bad_alloc, which fails the
+  /// job.
   virtual TeProgress step(TeAllowance& allowance) = 0;
   virtual TeJobState state() const = 0;
   /// True if it waits for a worker: step() would do nothing.
   virtual bool blocked() const { return false; }
-  /// Only after Failed.
+  /// Only after step() has returned Failed.
   virtual const TeError& error() const = 0;
+  /// Why it failed: error(), or a lack of memory.
+  TeError failure() const { return m_outOfMemory ? TeError{"out of memory"} : error(); }
 
   TeJobKind kind() const { return m_kind; }
   const TeUrgency& urgency() const { return m_urgency; }
@@ -34,4 +37,5 @@ private:
   friend class TeJobQueue;
   TeJobKind m_kind;
   TeUrgency m_urgency;
+  bool m_outOfMemory = false;
 };

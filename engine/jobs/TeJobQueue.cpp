@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <new>
 #include <utility>
 
 TeJobQueue::TeJobQueue() = default;
@@ -144,6 +145,15 @@ void TeJobQueue::share(const Kind& worker, std::int64_t units) {
   first->credit += unclaimed;
 }
 
+TeProgress TeJobQueue::stepOf(TeJob& job, TeAllowance& allowance) {
+  try {
+    return job.step(allowance);
+  } catch (const std::bad_alloc&) {
+    job.m_outOfMemory = true;
+    return TeProgress::Failed;
+  }
+}
+
 void TeJobQueue::step(Kind& kind, TeAllowance& allowance) {
   TeJob& job = *kind.slots[kind.next].job;
   if (!kind.slots[kind.next].started) {
@@ -152,7 +162,7 @@ void TeJobQueue::step(Kind& kind, TeAllowance& allowance) {
   }
   m_stepping = &job;
   const std::int64_t before = allowance.unitsSpent();
-  const TeProgress progress = job.step(allowance);
+  const TeProgress progress = stepOf(job, allowance);
   // A step that has done nothing counts, so that no job can hold up the loop.
   if (allowance.unitsSpent() == before && progress == TeProgress::Working && !job.blocked())
     allowance.spend();

@@ -17,7 +17,8 @@
 /// depends on urgencies and units alone, never on the order of insertion or on time; jobs of equal urgency,
 /// key included, are not told apart.
 /// A job that is found blocked is passed over until the next run().
-/// On the engine's thread only. Costs: docs/job-queue.md.
+/// On the engine's thread only. Costs of 1,000 jobs (tests/bench/jobs.cpp): a review with another order
+/// 0.08 ms, adding or cancelling 1 µs; of a step 50 ns and the clock.
 class TeJobQueue {
 public:
   /// Shares of Block, Ahead and Other in what Ground leaves.
@@ -83,6 +84,7 @@ private:
   Slots::iterator find(const TeJob& job);
   static bool findReady(Kind& kind);
   Kind* mostUrgentKind();
+  static TeProgress stepOf(TeJob& job, TeAllowance& allowance);
   void step(Kind& kind, TeAllowance& allowance);
   void share(const Kind& worker, std::int64_t units);
 

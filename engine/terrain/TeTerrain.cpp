@@ -204,7 +204,7 @@ void TeTerrain::finished(TeJob& job, TeProgress progress) {
       gotHeights(heights->key());
     } else {
       patch.retryTick = m_ticks + kRetryTicks;
-      m_events.push_back({Event::Kind::Failed, heights->key(), nullptr, heights->error().message});
+      m_events.push_back({Event::Kind::Failed, heights->key(), nullptr, heights->failure().message});
     }
   } else if (auto* made = dynamic_cast<TePieceJob*>(&job)) {
     TeTerrainPatch& patch = m_patches[made->owner()];
@@ -218,7 +218,7 @@ void TeTerrain::finished(TeJob& job, TeProgress progress) {
       updatePatch(made->owner(), patch);
     } else {
       patch.retryTick = m_ticks + kRetryTicks;
-      m_events.push_back({Event::Kind::Failed, made->owner(), nullptr, made->error().message});
+      m_events.push_back({Event::Kind::Failed, made->owner(), nullptr, made->failure().message});
     }
   }
 }

@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 #include <string>
 
 namespace {
@@ -208,6 +209,21 @@ TEST(TeJobQueue, CountsJobsByKindAndState) {
   EXPECT_EQ(jobs.started[std::size_t(TeJobKind::Ground)], 1);
   EXPECT_EQ(jobs.failed[std::size_t(TeJobKind::Ground)], 1);
   EXPECT_EQ(reason, "no luck");
+}
+
+TEST(TeJobQueue, AJobThatRunsOutOfMemoryFailsAlone) {
+  TeJobQueue queue;
+  auto greedy = job(TeJobKind::Block, 1, 3);
+  greedy->m_onUnit = [](TeCountingJob&) { throw std::bad_alloc(); };
+  queue.add(std::move(greedy));
+  queue.add(job(TeJobKind::Block, 2));
+  std::vector<std::string> ends;
+  queue.setFinished([&](TeJob& ended, TeProgress progress) {
+    ends.push_back(progress == TeProgress::Failed ? ended.failure().message : "done");
+  });
+  TeAllowance all = TeAllowance::unlimited();
+  queue.run(all);
+  EXPECT_EQ(ends, (std::vector<std::string>{"out of memory", "done"}));
 }
 
 TEST(TeJobQueue, AJobWithoutADistanceComesLast) {
