@@ -27,13 +27,13 @@ std::vector<std::string> teHudLines(const TeObject& object, const TeStatistics& 
   lines.push_back(format("velocity  %.1f  %.1f  %.1f m/s  (%.1f)", velocity.x, velocity.y, velocity.z,
                          glm::length(velocity)));
   lines.push_back(std::isnan(statistics.heightAboveGround)
-                      ? std::string("height above ground  unknown")
-                      : format("height above ground  %.1f m", statistics.heightAboveGround));
+                      ? std::string("height    above unknown ground")
+                      : format("height    %.1f m above ground", statistics.heightAboveGround));
   for (std::string& line : object.hudLines())
     lines.push_back(std::move(line));
-  lines.push_back(format("frame  %.1f ms   budget  %.1f ms", 1000 * statistics.frameSeconds,
+  lines.push_back(format("frame     %.1f ms   budget  %.1f ms", 1000 * statistics.frameSeconds,
                          1000 * statistics.budgetSeconds));
-  lines.push_back(format("patches  %lld of %lld drawn   error  %.2f px", (long long)statistics.patches.drawn,
+  lines.push_back(format("patches   %lld of %lld drawn   error  %.2f px", (long long)statistics.patches.drawn,
                          (long long)statistics.patches.block, statistics.errorBoundPixels));
   return lines;
 }

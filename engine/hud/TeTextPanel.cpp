@@ -15,7 +15,7 @@ namespace {
 
 constexpr float kFontSize = 14;
 constexpr int kBaseline = 13;                      ///< of the first line, below the top of the text
-constexpr std::uint32_t kPanelColour = 0x0C1420A0; ///< RGBA
+constexpr std::uint32_t kPanelColour = 0x0C1420B0; ///< RGBA
 const SbColor kTextColour(0.93f, 0.96f, 0.90f);
 
 int columnsOf(const std::string& line) {

@@ -174,11 +174,11 @@ std::vector<std::string> TeAircraft::hudLines() const {
   const double heading = std::atan2(ahead.x, ahead.y) * kDegrees;
   char text[80];
   std::vector<std::string> lines;
-  std::snprintf(text, sizeof text, "Speed     %7.1f m/s  %7.1f km/h", speed(), speed() * 3.6);
+  std::snprintf(text, sizeof text, "speed     %.1f m/s  %.0f km/h", speed(), speed() * 3.6);
   lines.push_back(text);
-  std::snprintf(text, sizeof text, "Heading   %7.1f°", heading < 0 ? heading + 360 : heading);
+  std::snprintf(text, sizeof text, "heading   %.1f°", heading < 0 ? heading + 360 : heading);
   lines.push_back(text);
-  std::snprintf(text, sizeof text, "Climb     %+7.1f m/s", velocity().z);
+  std::snprintf(text, sizeof text, "climb     %+.1f m/s", velocity().z);
   lines.push_back(text);
   return lines;
 }

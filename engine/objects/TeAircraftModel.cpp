@@ -3,6 +3,7 @@
 #include <Inventor/SbColor.h>
 #include <Inventor/SbVec3f.h>
 #include <Inventor/nodes/SoIndexedFaceSet.h>
+#include <Inventor/nodes/SoMaterial.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoShapeHints.h>
 #include <Inventor/nodes/SoVertexProperty.h>
@@ -47,6 +48,9 @@ public:
     hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
     hints->shapeType = SoShapeHints::SOLID;
     graph->addChild(hints);
+    auto* material = new SoMaterial; // the sides in shade are not black
+    material->emissiveColor.setValue(0.1f, 0.1f, 0.1f);
+    graph->addChild(material);
     auto* vertices = new SoVertexProperty;
     vertices->vertex.setValues(0, int(m_points.size()), m_points.data());
     vertices->normal.setValues(0, int(m_normals.size()), m_normals.data());

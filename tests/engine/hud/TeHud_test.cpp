@@ -92,7 +92,8 @@ TEST_F(TeHudTest, ItsCameraShowsPixels) {
 
 TEST_F(TeHudTest, ShowsWhatItCanOfAnyText) {
   m_hud->setLines({"90.0° wide", "ü€\t\x80\xff", std::string(500, 'x'), std::string("a\0b", 3)});
-  EXPECT_THAT(m_hud->lines(), ElementsAre("90.0° wide", "?????", std::string(TeHud::kMaxColumns, 'x'), "a?b"));
+  EXPECT_THAT(m_hud->lines(),
+              ElementsAre("90.0° wide", "?????", std::string(TeHud::kMaxColumns, 'x'), "a?b"));
   m_hud->setLines(std::vector<std::string>(1000, "line"));
   EXPECT_EQ(m_hud->lines().size(), std::size_t(TeHud::kMaxLines));
 }
