@@ -271,7 +271,7 @@ void TeEngineRuntime::work(TeAllowance& allowance) {
 void TeEngineRuntime::updateCamera() {
   const TeObject& object = *m_settings.active;
   const bool inside = m_rig.person() == TeCameraRig::Person::First;
-  m_objectScene.setHidden(inside ? &object : nullptr);
+  m_objectScene.setHidden(inside && !object.drawnInFirstPerson() ? &object : nullptr);
   const double reach = (m_terrain.block().radius + 1) * m_database.lattice().patchSide() * std::sqrt(2.0);
   m_rig.apply(*m_settings.sceneCamera, m_scene.origin(),
               TeClipRange::of(reach, m_rig.heightAboveGround(), inside ? 0 : m_rig.objectDistance()));

@@ -65,6 +65,7 @@ public:
   bool handleEvent(const TeKeyEvent& event) override;
   void releaseKeys() override;
   SoNode* drawModel() override;
+  bool drawnInFirstPerson() const override { return true; } ///< its bonnet
   TeCollisionShape collisionShape() const override;
   glm::dvec3 firstPersonOffset() const override { return {-0.35, 0.1, 1.5}; }
   glm::dvec3 thirdPersonOffset() const override { return {0, -9, 3.2}; }

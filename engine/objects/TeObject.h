@@ -54,6 +54,8 @@ public:
 
   /// Drawn at the object's place, in its own frame; null = nothing. Asked once, when the object is added.
   virtual SoNode* drawModel();
+  /// Whether it is drawn, too, while the camera is in first person.
+  virtual bool drawnInFirstPerson() const { return false; }
   /// The simpler model that collisions are found with.
   virtual TeCollisionShape collisionShape() const { return {}; }
 
