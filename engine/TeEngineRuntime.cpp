@@ -64,9 +64,13 @@ TeStatus TeEngineRuntime::start() {
   const TeResult<TePatchKey> key = tePatchAt(m_database.lattice(), {position.x, position.y});
   if (!key)
     return key.error();
+  // The colours come from the heights, and the patch's own pieces have to have them, too.
+  const TeResult<TePatchData*> ground = m_database.build(*key);
+  if (!ground)
+    return ground.error();
+  m_terrain.setColours(m_settings.colours ? *m_settings.colours : coloursOf(**ground));
   if (const TeStatus ok = m_terrain.build(*key); !ok)
     return ok;
-  m_terrain.setColours(m_settings.colours ? *m_settings.colours : coloursOf(*m_database.find(*key)));
   m_settings.sceneRoot->addChild(m_scene.root());
   m_settings.sceneRoot->addChild(m_objectScene.root());
   if (m_settings.hudRoot)
