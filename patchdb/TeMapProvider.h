@@ -14,6 +14,8 @@ public:
   /// Works on a map that was requested until the allowance is spent. Done: `map` is set; costs nothing where
   /// the map is there. Failed: `error` is set.
   virtual TeProgress provide(TeMapKey key, TeAllowance& allowance, TeSourceMapPtr& map, TeError& error) = 0;
+  /// A map that was requested is needed before all others: it is not to be waited for.
+  virtual void hurry(TeMapKey) {}
   /// True if the map is being made elsewhere, so that provide() would do nothing.
   virtual bool blocked(TeMapKey) const { return false; }
 };

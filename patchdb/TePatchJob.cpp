@@ -19,7 +19,7 @@ TePatchJob::Stage TePatchJob::stage() const {
 }
 
 bool TePatchJob::blocked() const {
-  if (stage() != Stage::SourceMaps)
+  if (m_hurries || stage() != Stage::SourceMaps)
     return false;
   bool lacking = false;
   for (int corner = 0; corner < 4; ++corner)
@@ -120,6 +120,8 @@ TeProgress TePatchJob::provideMaps(TeAllowance& allowance) {
     // A map that was found costs nothing, so that going on is the one unit that every slice does.
     if (allowance.exhausted() && allowance.unitsSpent() > spent)
       return TeProgress::Working;
+    if (m_hurries)
+      m_provider->hurry(teMapKey(m_key, corner));
     TeError error;
     const TeProgress progress =
         m_provider->provide(teMapKey(m_key, corner), allowance, m_maps[std::size_t(corner)], error);

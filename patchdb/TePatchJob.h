@@ -23,6 +23,8 @@ public:
   Stage stage() const;
   /// True if all maps that it lacks are being made elsewhere, so that step() would do nothing.
   bool blocked() const;
+  /// From now on it waits for nobody: blocked() is false.
+  void hurry() { m_hurries = true; }
   const TePatchKey& key() const { return m_key; }
   /// Why it failed, be it for want of memory; only after Failed.
   const TeError& error() const { return m_error; }
@@ -44,6 +46,7 @@ private:
   TePatchKey m_key;
   TeOwnMaps m_ownMaps;
   TeMapProvider* m_provider;
+  bool m_hurries = false;
   TeProgress m_progress = TeProgress::Working;
   TeError m_error;
   std::optional<TeNeededMaps> m_needed;

@@ -48,7 +48,9 @@ void TeMapMaker::dropTask(Entry& entry) {
 }
 
 std::size_t TeMapMaker::roomForTasks() const {
-  const std::size_t most = kMapsPerWorker * std::size_t(workers());
+  const std::size_t samples = std::size_t(m_database->lattice().samples());
+  const std::size_t fitting = kTaskBytes / (samples * samples * sizeof(float));
+  const std::size_t most = std::max(fitting, kLeastTasks) * std::size_t(workers());
   return most - std::min(most, m_handedOver);
 }
 
@@ -57,9 +59,16 @@ bool TeMapMaker::blocked(TeMapKey key) const {
   if (at == m_entries.end())
     return false;
   const Entry& entry = at->second;
-  if (entry.map || entry.error || entry.job || !m_pool)
-    return false;
-  return entry.task || roomForTasks() == 0;
+  return entry.task && (m_fixedJoin || !entry.task->ended());
+}
+
+void TeMapMaker::hurry(TeMapKey key) {
+  const auto at = m_entries.find(key);
+  assert(at != m_entries.end());
+  Entry& entry = at->second;
+  entry.hurried = true;
+  if (entry.task && (m_fixedJoin || !entry.task->ended()))
+    dropTask(entry);
 }
 
 /// Work on a map that may run out of memory: what was made of it then is dropped.
@@ -79,10 +88,14 @@ TeProgress TeMapMaker::provide(TeMapKey key, TeAllowance& allowance, TeSourceMap
   Entry& entry = at->second;
   if (!entry.map && !entry.error)
     guarded(entry, [&] {
-      if (m_pool && !entry.job)
+      if (entry.task) {
+        if (!m_fixedJoin && entry.task->ended())
+          collect(key, entry);
+      } else if (m_pool && !entry.job && !entry.hurried && roomForTasks() > 0) {
         handOver(key, entry, allowance);
-      else
+      } else {
         slice(key, entry, allowance);
+      }
     });
   if (entry.error) {
     error = *entry.error;
@@ -93,8 +106,6 @@ TeProgress TeMapMaker::provide(TeMapKey key, TeAllowance& allowance, TeSourceMap
 }
 
 void TeMapMaker::handOver(TeMapKey key, Entry& entry, TeAllowance& allowance) {
-  if (entry.task || roomForTasks() == 0)
-    return;
   TeResult<std::unique_ptr<TeHeightJob>> started = teStartMap(*m_database, key);
   if (!started) {
     entry.error = started.error();

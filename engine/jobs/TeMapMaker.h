@@ -13,17 +13,19 @@
 /// that were made from it hold it.
 ///
 /// Without workers a map is made in slices in the calling thread, on the allowance of the job that asks. With
-/// workers it is handed over to one (one unit of the allowance), made there with the same bits, and taken
-/// back by beginTick(). Handed-over maps are at most kMapsPerWorker a worker, half-made ones in the calling
-/// thread at most kSlicedMaps (of more, the one untouched for longest starts again), so that memory is
-/// bounded whatever the number of jobs.
-/// A map that no job waits for any more is dropped, and its worker stopped at the next unit. Errors reach all
-/// jobs that wait, and are forgotten with the last of them.
+/// workers it is handed over to one (one unit of the allowance) and made there with the same bits; it is
+/// taken back by beginTick(), or by the job that asks for it again. Of handed-over maps there are at most as
+/// many as kTaskBytes a worker hold, and kLeastTasks: enough for a worker's time between two ticks. What has
+/// no room is made in the calling thread. Half-made ones there are at most kSlicedMaps (of more, the one
+/// untouched for longest starts again), so that memory is bounded whatever the number of jobs. A map that no
+/// job waits for any more is dropped, and its worker stopped at the next unit. Errors reach all jobs that
+/// wait, and are forgotten with the last of them.
 ///
 /// On the engine's thread only. The database must outlive it, and it the jobs' requests.
 class TeMapMaker final : public TeMapProvider {
 public:
-  static constexpr std::size_t kMapsPerWorker = 4;
+  static constexpr std::size_t kTaskBytes = std::size_t(1) << 22;
+  static constexpr std::size_t kLeastTasks = 2;
   static constexpr std::size_t kSlicedMaps = 16;
 
   explicit TeMapMaker(TePatchDatabase& database) : m_database(&database) {}
@@ -47,6 +49,8 @@ public:
   void request(TeMapKey key) override;
   void release(TeMapKey key) override;
   TeProgress provide(TeMapKey key, TeAllowance& allowance, TeSourceMapPtr& map, TeError& error) override;
+  /// Takes the map back from a worker that is not done with it, and makes it in the calling thread.
+  void hurry(TeMapKey key) override;
   bool blocked(TeMapKey key) const override;
 
   std::int64_t mapsMade() const { return m_made; }
@@ -62,6 +66,7 @@ private:
   };
   struct Entry {
     int requests = 0;
+    bool hurried = false;
     TeSourceMapPtr map;
     std::optional<TeError> error;
     std::unique_ptr<TeMapJob> job; ///< in this thread

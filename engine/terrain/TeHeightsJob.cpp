@@ -4,6 +4,12 @@ TeHeightsJob::TeHeightsJob(TePatchDatabase& database, TeMapMaker& maps, const Te
                            const TeUrgency& urgency)
     : TeJob(kind, urgency), m_job(database, key, &maps) {}
 
+TeProgress TeHeightsJob::step(TeAllowance& allowance) {
+  if (kind() == TeJobKind::Ground)
+    m_job.hurry();
+  return m_job.step(allowance);
+}
+
 TeJobState TeHeightsJob::state() const {
   if (m_job.progress() == TeProgress::Failed)
     return TeJobState::Failed;

@@ -11,9 +11,10 @@ public:
                const TeUrgency& urgency);
 
   const TePatchKey& key() const { return m_job.key(); }
-  TeProgress step(TeAllowance& allowance) override { return m_job.step(allowance); }
+  TeProgress step(TeAllowance& allowance) override;
   TeJobState state() const override;
-  bool blocked() const override { return m_job.blocked(); }
+  /// Ground waits for no worker.
+  bool blocked() const override { return kind() != TeJobKind::Ground && m_job.blocked(); }
   const TeError& error() const override { return m_job.error(); }
 
 private:

@@ -10,7 +10,8 @@
 
 namespace {
 
-/// Counts how often it was asked for each map; optionally fails, or waits until it is let go.
+/// Counts how often it was asked for each map; optionally fails, or makes workers wait until they
+/// are let go.
 class CountingSource final : public TePointSource {
 public:
   std::string name() const override { return "counting"; }
@@ -19,7 +20,7 @@ public:
                     float* heights) const override {
     if (samples[0].column == 0 && samples[0].row == 0)
       ++m_begun;
-    while (m_held && !m_given)
+    while (m_held && !m_given && std::this_thread::get_id() != m_maker)
       std::this_thread::yield();
     if (m_fails)
       return TeError{"no luck"};
@@ -32,6 +33,7 @@ public:
   std::atomic<bool> m_given{false};
 
 private:
+  const std::thread::id m_maker = std::this_thread::get_id();
   std::shared_ptr<TeHashSource> m_heights = std::make_shared<TeHashSource>();
 };
 
@@ -102,26 +104,44 @@ TEST(TeMapMaker, AMapIsKeptForAllThatWaitThoughTheFirstHasGone) {
   EXPECT_EQ(source->m_begun, 6);
 }
 
-TEST(TeMapMaker, HandsOverOnlySoManyMapsAtATime) {
+TEST(TeMapMaker, HandsOverOnlySoManyMapsAtATimeAndMakesTheOthersItself) {
   const auto source = std::make_shared<CountingSource>();
   source->m_held = true;
-  const auto database = teTestDatabase(source, 17);
+  const auto database = teTestDatabase(source, 513); // maps of 1 MiB
   TeMapMaker maker(*database);
   ASSERT_TRUE(maker.setWorkers(2));
-  Jobs jobs = blockOfJobs(*database, maker, 3);
+  Jobs jobs = blockOfJobs(*database, maker, 1);
   for (auto& job : jobs) {
     TeAllowance allowance = TeAllowance::units(10);
     job->step(allowance);
-    EXPECT_TRUE(job->blocked() || job->stage() == TePatchJob::Stage::Waiting);
   }
-  EXPECT_EQ(maker.handedOver(), 2 * TeMapMaker::kMapsPerWorker);
+  EXPECT_EQ(maker.handedOver(), 2 * 3u) << "as many as fit into 4 MiB a worker";
   EXPECT_FALSE(maker.beginTick());
+  EXPECT_EQ(jobs.back()->finish(), TeProgress::Done) << "a job with no map at a worker";
   source->m_given = true;
   EXPECT_TRUE(maker.joinAll());
   EXPECT_EQ(maker.handedOver(), 0u);
-  EXPECT_FALSE(jobs[0]->blocked());
   runAll(jobs, maker, 100);
-  EXPECT_EQ(maker.mapsMade(), 64);
+  EXPECT_EQ(maker.mapsMade(), 16);
+}
+
+TEST(TeMapMaker, AJobInAHurryWaitsForNoWorker) {
+  for (const bool fixedJoin : {false, true}) {
+    const auto source = std::make_shared<CountingSource>();
+    source->m_held = true;
+    const auto database = teTestDatabase(source, 17);
+    TeMapMaker maker(*database);
+    maker.setFixedJoin(fixedJoin);
+    ASSERT_TRUE(maker.setWorkers(1));
+    TePatchJob job(*database, {0, 0, 0}, &maker);
+    TeAllowance some = TeAllowance::units(10);
+    EXPECT_EQ(job.step(some), TeProgress::Working);
+    EXPECT_TRUE(job.blocked());
+    job.hurry();
+    EXPECT_FALSE(job.blocked());
+    EXPECT_EQ(job.finish(), TeProgress::Done) << "while the worker is still held up";
+    source->m_given = true;
+  }
 }
 
 TEST(TeMapMaker, WithAFixedJoinTicksDoNotDependOnTheSpeedOfWorkers) {
