@@ -209,9 +209,8 @@ TeStatus TeEngineRuntime::simulate(double dt) {
       m_settings.error(message);
   for (const TeObject* object : m_objects.touched()) {
     m_terrain.place(*object);
-    m_objectScene.place(*object, m_scene.origin());
+    m_changed = m_objectScene.place(*object, m_scene.origin()) || m_changed;
   }
-  m_changed = m_changed || !m_objects.touched().empty();
   if (m_settings.collisions && done->simulated > 0 && !m_objects.touched().empty()) {
     m_settings.collisions(done->simulated);
     placeObjects();
@@ -222,7 +221,7 @@ TeStatus TeEngineRuntime::simulate(double dt) {
 void TeEngineRuntime::placeObjects() {
   for (const TeObject* object : m_objects.awake()) {
     m_terrain.place(*object);
-    m_objectScene.place(*object, m_scene.origin());
+    m_changed = m_objectScene.place(*object, m_scene.origin()) || m_changed;
   }
 }
 

@@ -31,19 +31,22 @@ void TeObjectScene::remove(const TeObject& object) {
     m_hidden = nullptr;
 }
 
-void TeObjectScene::place(const TeObject& object, const glm::dvec3& origin) {
+bool TeObjectScene::place(const TeObject& object, const glm::dvec3& origin) {
   const auto found = m_models.find(&object);
   if (found == m_models.end())
-    return;
+    return false;
   SoTransform& transform = *found->second.transform;
   const glm::vec3 place(object.position() - origin);
   const SbVec3f translation(place.x, place.y, place.z);
   const glm::quat turn(object.orientation());
   const SbRotation rotation(turn.x, turn.y, turn.z, turn.w);
-  if (transform.translation.getValue() != translation)
+  const bool moved = transform.translation.getValue() != translation;
+  const bool turned = transform.rotation.getValue() != rotation;
+  if (moved)
     transform.translation = translation;
-  if (transform.rotation.getValue() != rotation)
+  if (turned)
     transform.rotation = rotation;
+  return moved || turned;
 }
 
 void TeObjectScene::placeAll(const glm::dvec3& origin) {

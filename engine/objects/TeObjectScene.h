@@ -22,7 +22,8 @@ public:
   void add(TeObject& object, const glm::dvec3& origin);
   void remove(const TeObject& object);
   /// Writes the object's place and orientation; what has not changed is not written.
-  void place(const TeObject& object, const glm::dvec3& origin);
+  /// True if it is drawn elsewhere than before.
+  bool place(const TeObject& object, const glm::dvec3& origin);
   void placeAll(const glm::dvec3& origin);
   /// The one object that is not drawn, for the camera is inside it; null = all are.
   void setHidden(const TeObject* object);
