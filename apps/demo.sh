@@ -1,23 +1,35 @@
 #!/usr/bin/env bash
-# Installs the dependencies, builds, and shows terrain: in a window if there is a display, else as pictures.
-# Arguments go to terrane-static.
+# Installs the dependencies, builds, and flies over terrain: in a window if there is a display, else into
+# pictures. Arguments go to terrane-flight in place of our own.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 bash cmake/install-dependencies.sh
 cmake --preset release >/dev/null
-cmake --build --preset release -j "$(nproc)" --target terrane-static
-static=$PWD/build/release/bin/terrane-static
+cmake --build --preset release -j "$(nproc)" --target terrane-flight
+flight=$PWD/build/release/bin/terrane-flight
 
 if [ -n "${DISPLAY:-}" ]; then
+  shown=("$@")
+  [ $# -gt 0 ] || shown=(--radius 8 --view third)
+  echo "Arrow keys fly, F1 or / shows all keys, Esc leaves."
   status=0
-  "$static" "$@" || status=$?
+  "$flight" "${shown[@]}" || status=$?
   # 1: the window could not be opened, so there is no display after all.
   [ "$status" -eq 1 ] || exit "$status"
 fi
 
 mkdir -p out
-"$static" --context osmesa --offscreen out/terrane.png --report out/terrane.json "$@"
-"$static" --context osmesa --offscreen out/terrane-parts.png --parts --wireframe "$@"
-"$static" --context osmesa --offscreen out/terrane-top.png --top "$@"
-echo "No display: written are"
-printf '  %s\n' "$PWD"/out/terrane.png "$PWD"/out/terrane-parts.png "$PWD"/out/terrane-top.png "$PWD"/out/terrane.json
+echo "No display: flying into pictures"
+fly() {
+  local name=$1
+  shift
+  "$flight" --context osmesa --frames 300 --dt 0.0333 --offscreen "out/$name.png" --report "out/$name.json" "$@"
+  printf '  %s\n' "$PWD/out/$name.png" "$PWD/out/$name.json"
+}
+if [ $# -gt 0 ]; then
+  fly flight "$@"
+else
+  fly flight-first --path line
+  fly flight-third --path circle --radius 4 --view third
+  fly flight-far --path zigzag --radius 8 --hud off
+fi

@@ -21,6 +21,11 @@ spdlog::level::level_enum levelOf(TeLog::Level level) {
   return spdlog::level::err;
 }
 
+std::string& lastError() {
+  static std::string error;
+  return error;
+}
+
 } // namespace
 
 void teStartAppLog(const std::string& application, bool quiet) {
@@ -28,6 +33,11 @@ void teStartAppLog(const std::string& application, bool quiet) {
       std::make_shared<spdlog::logger>(application, std::make_shared<spdlog::sinks::stderr_color_sink_mt>());
   logger->set_pattern("%n: %^%l%$: %v");
   logger->set_level(quiet ? spdlog::level::err : spdlog::level::info);
-  TeLog::setSink(
-      [logger](TeLog::Level level, const std::string& message) { logger->log(levelOf(level), message); });
+  TeLog::setSink([logger](TeLog::Level level, const std::string& message) {
+    logger->log(levelOf(level), message);
+    if (level == TeLog::Level::Error)
+      lastError() = message;
+  });
 }
+
+bool teWasLogged(const std::string& error) { return error == lastError(); }

@@ -11,8 +11,8 @@
 /// The options of every application of the engine, besides the common ones.
 struct TeEngineOptions {
   static constexpr int kMaxUnits = 1'000'000;
-  /// Units of work that take about TeEngine::kDefaultBudget: the allowance of runs with --dt.
-  static constexpr int kDefaultUnits = 24;
+  /// Units of work that take a little less than TeEngine::kDefaultBudget: the allowance of runs with --dt.
+  static constexpr int kDefaultUnits = 64;
 
   TeTerrainOptions terrain;
   glm::dvec2 center{0}; ///< where to begin, metres

@@ -8,6 +8,15 @@
 
 #include <cstdio>
 
+namespace {
+
+int fail(TeExit status, const std::string& application, const TeStatus& failed) {
+  const std::string& message = failed.error().message;
+  return teWasLogged(message) ? status : teExitWith(status, application, message);
+}
+
+} // namespace
+
 int teRunEngine(const TeCommandLine& commandLine, const TeEngineOptions& options, TeEngineApp& app) {
   const TeCommonOptions& common = commandLine.common();
   const std::string& name = commandLine.application();
@@ -16,27 +25,27 @@ int teRunEngine(const TeCommandLine& commandLine, const TeEngineOptions& options
     return TeExitSuccess;
   }
   if (const TeStatus ok = options.check(common); !ok)
-    return teExitWith(TeExitUsage, name, ok.error().message);
+    return fail(TeExitUsage, name, ok);
   teStartAppLog(name, common.quiet);
   TeNodes::init();
 
   TeReport report(name, commandLine.commandText());
   TeEngineSession session(name, options, common, app);
   if (const TeStatus ok = session.prepare(); !ok)
-    return teExitWith(TeExitUsage, name, ok.error().message);
+    return fail(TeExitUsage, name, ok);
   if (const TeStatus ok = session.startRecording(); !ok)
-    return teExitWith(TeExitFailure, name, ok.error().message);
+    return fail(TeExitFailure, name, ok);
 
   const TeStatus ran =
       common.context == "window" ? teRunInWindow(session, name, report) : teRunHeadless(session, report);
   if (!ran)
-    return teExitWith(TeExitFailure, name, ran.error().message);
+    return fail(TeExitFailure, name, ran);
   if (const TeStatus ok = session.finish(); !ok)
-    return teExitWith(TeExitFailure, name, ok.error().message);
+    return fail(TeExitFailure, name, ok);
   if (!common.report.empty()) {
     session.describe(report.json());
     if (const TeStatus ok = report.write(common.report); !ok)
-      return teExitWith(TeExitFailure, name, ok.error().message);
+      return fail(TeExitFailure, name, ok);
   }
   return TeExitSuccess;
 }

@@ -38,7 +38,21 @@ TeStatus TeEngineSession::prepare() {
     m_replay = std::move(*replay);
   }
   engine().setKeyCallback([this](const TeKeyEvent& key) { return handleKey(key); });
-  return engine().initialize() ? TeStatus() : TeError{engine().lastError()};
+  if (!engine().initialize())
+    return TeError{engine().lastError()};
+  showHelp();
+  return {};
+}
+
+void TeEngineSession::showHelp() {
+  std::vector<std::string> lines = engine().getActiveObject()->helpLines();
+  for (std::string& line : engine().getCameraRig().helpLines())
+    lines.push_back(std::move(line));
+  for (const char* line :
+       {"P               pause", "W, X, F3        wireframe", "H               figures on, off",
+        "F12, G          picture to a file", "F1, /           this help", "Esc             leave"})
+    lines.push_back(line);
+  engine().getHud().setHelp(lines);
 }
 
 TeStatus TeEngineSession::startRecording() {

@@ -49,6 +49,7 @@ public:
 
 private:
   TeRecorder::Settings settings() const;
+  void showHelp();
   bool handleKey(const TeKeyEvent& key);
 
   std::string m_application;

@@ -1,11 +1,11 @@
 #include "apps/common/TeEngineStage.h"
 
 #include "apps/common/TeAppWorld.h"
+#include "apps/common/TeHaze.h"
 #include "apps/common/TeSky.h"
 #include "apps/common/TeSourceGenerator.h"
 
 #include <Inventor/nodes/SoDirectionalLight.h>
-#include <Inventor/nodes/SoEnvironment.h>
 
 namespace {
 
@@ -65,13 +65,8 @@ void TeEngineStage::createScene(const TeEngineOptions& options) {
   m_camera->heightAngle = kFieldOfView;
   m_all->addChild(teSky(*m_camera, m_background));
   m_all->addChild(m_scene.get());
-  if (options.hazy()) {
-    auto* haze = new SoEnvironment;
-    haze->fogType = SoEnvironment::HAZE;
-    haze->fogColor = m_background;
-    haze->fogVisibility = float(kHazeEnd * options.radius * m_patchSide);
-    m_scene->addChild(haze);
-  }
+  if (options.hazy())
+    m_scene->addChild(teHaze(m_background, float(kHazeEnd * options.radius * m_patchSide)));
   m_scene->addChild(m_camera.get());
   // The sun in the west, low enough that relief shows, and the sky.
   addLight(*m_scene, SbVec3f(0.75f, -0.2f, -0.6f), SbColor(1.0f, 0.96f, 0.88f), 0.95f);

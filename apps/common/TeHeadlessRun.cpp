@@ -44,7 +44,7 @@ public:
     if (!fast)
       return fast.error();
     m_renderer = std::move(*fast);
-    TeProgressLine progress("Flying", m_session.common().quiet);
+    TeProgressLine progress("Running", m_session.common().quiet);
     const int frames = std::max(1, m_session.frames());
     m_last = wallSeconds();
     for (int frame = 0; frame < frames && !m_session.ended(); ++frame) {

@@ -1,6 +1,6 @@
 // What terrane-static shows.
 
-#include "apps/TeStaticRun.h"
+#include "apps/TeAppRun.h"
 
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInput.h>
@@ -14,7 +14,10 @@ namespace {
 
 using Arguments = std::vector<std::string>;
 
-class TerraneStaticPictures : public TeStaticRun {};
+class TerraneStaticPictures : public TeAppRun {
+protected:
+  TerraneStaticPictures() : TeAppRun("terrane-static") {}
+};
 
 TEST_F(TerraneStaticPictures, OsMesaAndEglDrawTheSame) {
   const TePicture a = draw({"--seed", "7"}, "osmesa");

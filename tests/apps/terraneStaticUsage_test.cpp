@@ -1,25 +1,15 @@
 // What terrane-static answers to bad usage, bad input and files that cannot be written: one line and a
 // status.
 
-#include "apps/TeStaticRun.h"
+#include "apps/TeAppRun.h"
 
 #include <fstream>
 
 namespace {
 
-using Arguments = std::vector<std::string>;
-
-class TerraneStaticUsage : public TeStaticRun {
+class TerraneStaticUsage : public TeAppRun {
 protected:
-  /// Also tells that no picture was begun.
-  void expectRefused(const Arguments& arguments, int status, const std::string& mentioned) {
-    const TeChildResult result = run(arguments, 20);
-    const std::string text = testing::PrintToString(arguments);
-    EXPECT_EQ(result.status, status) << text << "\n" << result.error;
-    EXPECT_EQ(result.errorLines(), 1) << text << "\n" << result.error;
-    EXPECT_EQ(result.error.rfind("terrane-static: ", 0), 0u) << text << "\n" << result.error;
-    EXPECT_NE(result.error.find(mentioned), std::string::npos) << text << "\n" << result.error;
-  }
+  TerraneStaticUsage() : TeAppRun("terrane-static") {}
 };
 
 TEST_F(TerraneStaticUsage, HelpAndVersionSucceed) {

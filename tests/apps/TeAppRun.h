@@ -10,14 +10,17 @@
 #include <string>
 #include <vector>
 
-/// Runs of terrane-static, each test in a scratch folder of its own.
-class TeStaticRun : public testing::Test {
+/// Runs of an application, each test in a scratch folder of its own.
+class TeAppRun : public testing::Test {
 protected:
-  TeStaticRun();
-  ~TeStaticRun() override;
+  explicit TeAppRun(const std::string& program);
+  ~TeAppRun() override;
 
   /// Without a display.
   TeChildResult run(const std::vector<std::string>& arguments, double seconds = 60) const;
+  /// Tells of no success: the status, one line that begins with the program's name, and what it mentions.
+  void expectRefused(const std::vector<std::string>& arguments, int status,
+                     const std::string& mentioned) const;
   /// With --offscreen and --report, in the given context; must succeed.
   TePicture draw(std::vector<std::string> arguments, const std::string& context = "osmesa");
   /// Of the last draw().
@@ -28,6 +31,7 @@ protected:
   static std::string data(const std::string& name);
 
 private:
+  std::string m_program;
   std::filesystem::path m_folder;
   nlohmann::json m_report;
 };

@@ -1,4 +1,4 @@
-#include "apps/TeStaticRun.h"
+#include "apps/TeAppRun.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -6,36 +6,40 @@
 
 namespace fs = std::filesystem;
 
-namespace {
-
-const std::string kProgram = TERRANE_BIN "/terrane-static";
-
-} // namespace
-
-TeStaticRun::TeStaticRun() {
-  std::string name = (fs::temp_directory_path() / "terrane-static-XXXXXX").string();
+TeAppRun::TeAppRun(const std::string& program) : m_program(program) {
+  std::string name = (fs::temp_directory_path() / (program + "-XXXXXX")).string();
   m_folder = mkdtemp(name.data());
 }
 
-TeStaticRun::~TeStaticRun() {
+TeAppRun::~TeAppRun() {
   std::error_code ignored;
   fs::remove_all(m_folder, ignored);
 }
 
-TeChildResult TeStaticRun::run(const std::vector<std::string>& arguments, double seconds) const {
-  std::vector<std::string> command = {kProgram};
+TeChildResult TeAppRun::run(const std::vector<std::string>& arguments, double seconds) const {
+  std::vector<std::string> command = {TERRANE_BIN "/" + m_program};
   command.insert(command.end(), arguments.begin(), arguments.end());
   return teRunChild(command, seconds, {}, {"DISPLAY"});
 }
 
-TePicture TeStaticRun::draw(std::vector<std::string> arguments, const std::string& context) {
+void TeAppRun::expectRefused(const std::vector<std::string>& arguments, int status,
+                             const std::string& mentioned) const {
+  const TeChildResult result = run(arguments, 20);
+  const std::string text = testing::PrintToString(arguments);
+  EXPECT_EQ(result.status, status) << text << "\n" << result.error;
+  EXPECT_EQ(result.errorLines(), 1) << text << "\n" << result.error;
+  EXPECT_EQ(result.error.rfind(m_program + ": ", 0), 0u) << text << "\n" << result.error;
+  EXPECT_NE(result.error.find(mentioned), std::string::npos) << text << "\n" << result.error;
+}
+
+TePicture TeAppRun::draw(std::vector<std::string> arguments, const std::string& context) {
   const std::string picture = scratch("picture.png"), report = scratch("report.json");
   arguments.insert(arguments.end(), {"--context", context, "--offscreen", picture, "--report", report});
   if (std::find(arguments.begin(), arguments.end(), "--size") == arguments.end())
     arguments.insert(arguments.end(), {"--size", "320x240"});
-  std::vector<std::string> command = {kProgram};
+  std::vector<std::string> command = {TERRANE_BIN "/" + m_program};
   if (context == "window")
-    command = {"xvfb-run", "-a", kProgram};
+    command = {"xvfb-run", "-a", TERRANE_BIN "/" + m_program};
   command.insert(command.end(), arguments.begin(), arguments.end());
   const TeChildResult result = teRunChild(command, 120, {}, {"DISPLAY"});
   EXPECT_EQ(result.status, 0) << result.error;
@@ -47,7 +51,7 @@ TePicture TeStaticRun::draw(std::vector<std::string> arguments, const std::strin
   return read ? std::move(*read) : TePicture();
 }
 
-std::string TeStaticRun::data(const std::string& name) {
+std::string TeAppRun::data(const std::string& name) {
   const char* given = std::getenv("TERRANE_DATA");
   const fs::path folder = given ? fs::path(given) : fs::path(TERRANE_SOURCE_DIR) / "../shared/data";
   return fs::exists(folder / name) ? (folder / name).string() : std::string();
