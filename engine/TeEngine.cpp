@@ -226,6 +226,8 @@ SbBool TeEngine::removeObject(TeObject* object) {
 SbBool TeEngine::setActiveObject(TeObject* object) {
   if (!m_objects.contains(object))
     return fail({"TeEngine: the active object has to be one of the engine's"});
+  if (m_settings.active && m_settings.active != object)
+    m_settings.active->releaseKeys();
   m_settings.active = object;
   object->wake();
   return TRUE;

@@ -1,5 +1,6 @@
 #include "engine/TeEngineRuntime.h"
 
+#include "engine/hud/TeHudHelp.h"
 #include "engine/hud/TeHudLines.h"
 #include "generators/base/TeLog.h"
 
@@ -305,6 +306,8 @@ void TeEngineRuntime::updateHud() {
   const double time = m_objects.time();
   if (m_hudIsOld || time >= m_hudTime + kHudSeconds) {
     m_hud.setLines(teHudLines(*m_settings.active, m_statistics));
+    if (m_hud.isHelpShown())
+      m_hud.setHelp(teHudHelp(*m_settings.active, m_rig, m_hud.programHelp()));
     m_hudTime = time;
     m_hudIsOld = false;
   }

@@ -81,6 +81,7 @@ void TeEngineStage::createScene(const TeEngineOptions& options) {
   m_engine->setHudRoot(m_hud.get());
   m_engine->setHudCamera(m_hudCamera.get());
   m_engine->getHud().setVisible(options.hud);
+  m_engine->getHud().setProgramHelp({"F12, G  picture into a file", "Esc  quit"});
   m_engine->getCameraRig().setPerson(options.thirdPerson ? TeCameraRig::Person::Third
                                                          : TeCameraRig::Person::First);
 }

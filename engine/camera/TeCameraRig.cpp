@@ -142,9 +142,9 @@ void TeCameraRig::apply(SoPerspectiveCamera& camera, const glm::dvec3& worldOrig
 }
 
 std::vector<std::string> TeCameraRig::helpLines() const {
-  return {"C, F2          first or third person", "Num8/2, I/K    camera forward, back",
-          "Num4/6, J/L    camera left, right", "PgUp/Dn, U/O   camera up, down",
-          "Num5, Home     camera back to its place"};
+  return {"C, F2  first or third person", "Num8/2, I/K  camera forward, back",
+          "Num4/6, J/L  camera left, right", "PgUp/Dn, U/O  camera up, down",
+          "Num5, Home  camera back to its place"};
 }
 
 std::uint64_t TeCameraRig::stateHash() const {

@@ -5,6 +5,7 @@
 
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 class SoOrthographicCamera;
@@ -35,6 +36,9 @@ public:
 
   void setLines(const std::vector<std::string>& lines);
   void setHelp(const std::vector<std::string>& lines);
+  /// Lines for the program's own keys, which the engine puts at the end of its help.
+  void setProgramHelp(std::vector<std::string> lines) { m_programHelp = std::move(lines); }
+  const std::vector<std::string>& programHelp() const { return m_programHelp; }
   void showHelp(bool shown);
   bool isHelpShown() const { return m_helpShown; }
   /// All of it, help too.
@@ -52,6 +56,7 @@ private:
   TeNodePtr<SoOrthographicCamera> m_camera;
   std::unique_ptr<TeTextPanel> m_lines;
   std::unique_ptr<TeTextPanel> m_help;
+  std::vector<std::string> m_programHelp;
   int m_width = 1;
   int m_height = 1;
   int m_changes = 0;

@@ -184,7 +184,7 @@ std::vector<std::string> TeAircraft::hudLines() const {
 }
 
 std::vector<std::string> TeAircraft::helpLines() const {
-  return {"Up/Down, R/F    faster, slower", "Left/Right, A/D turn", "E, Q            climb, dive"};
+  return {"Up/Down, R/F  faster, slower", "Left/Right, A/D  turn", "E, Q  climb, dive"};
 }
 
 std::uint64_t TeAircraft::stateHash() const {

@@ -65,7 +65,7 @@ public:
 
   /// Lines for the HUD besides those that every object has (position, velocity, height above ground).
   virtual std::vector<std::string> hudLines() const { return {}; }
-  /// What its keys do, one line each, for the HUD's help.
+  /// What its keys do, for the HUD's help: a line each of keys, two spaces or more, and their meaning.
   virtual std::vector<std::string> helpLines() const { return {}; }
 
   /// Of position, velocity, orientation, and what a class adds: equal states have equal hashes.
