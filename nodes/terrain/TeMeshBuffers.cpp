@@ -87,7 +87,6 @@ void TeMeshBuffers::setNextAnchor(Mesh& buffers, const TePatchMesh& mesh, glm::d
 void TeMeshBuffers::useNextAnchor(Mesh& buffers) {
   std::swap(buffers.positions, buffers.nextPositions);
   std::swap(buffers.anchor, buffers.nextAnchor);
-  dropNextAnchor(buffers);
 }
 
 void TeMeshBuffers::dropNextAnchor(Mesh& buffers) {

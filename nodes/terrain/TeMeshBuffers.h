@@ -56,7 +56,7 @@ public:
   void setAnchor(Mesh& buffers, const TePatchMesh& mesh, glm::dvec2 anchor);
   /// Makes positions for an anchor besides those in use.
   void setNextAnchor(Mesh& buffers, const TePatchMesh& mesh, glm::dvec2 anchor);
-  /// Uses the next positions instead of the present ones.
+  /// Uses the next positions, which then are the present ones; those take their place.
   void useNextAnchor(Mesh& buffers);
   void dropNextAnchor(Mesh& buffers);
 

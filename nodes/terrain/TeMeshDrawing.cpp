@@ -74,6 +74,7 @@ void TeMeshDrawing::resetFrame(std::size_t anchorBytes) {
   m_withNext = 0;
   m_withoutNext = 0;
   m_anchorBytesLeft = anchorBytes;
+  m_freesLeft = kFreedPerFrame;
   if (m_frame.bytesUploaded > 0) {
     m_recentSeconds = kFading * m_recentSeconds + m_frame.uploadSeconds;
     m_recentBytes = kFading * m_recentBytes + double(m_frame.bytesUploaded);
@@ -116,10 +117,12 @@ TeMeshBuffers::Mesh* TeMeshDrawing::prepare(TeMeshBuffers& buffers, const void* 
       count(TeMeshBuffers::positionBytes(mesh), start);
     }
   }
-  if (m_changes)
+  if (m_changes) {
     prepareNextAnchor(buffers, *made, mesh);
-  else
+  } else if (made->nextPositions && m_freesLeft > 0) {
     buffers.dropNextAnchor(*made);
+    m_freesLeft--;
+  }
   return made;
 }
 

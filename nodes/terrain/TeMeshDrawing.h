@@ -54,7 +54,8 @@ public:
   glm::dvec2 nextAnchor() const { return m_nextAnchor; }
   /// True once a frame was drawn, after beginAnchor(), in which no mesh lacked a buffer for the next anchor.
   bool nextAnchorReady() const;
-  /// During a change only. A mesh that still lacks its buffer makes it when it is next drawn.
+  /// During a change only. A mesh that still lacks its buffer makes it when it is next drawn. Buffers for
+  /// the anchor before go in the next frames, kFreedPerFrame in each.
   void commitAnchor();
 
   /// Starts a new account. `anchorBytes`: how much may be uploaded for the next anchor until the next call;
@@ -83,6 +84,8 @@ private:
   static void freeWhenCurrent(const std::shared_ptr<TeMeshBuffers>& buffers);
   static void onContextDestroyed(std::uint32_t context, void* drawing);
 
+  static constexpr int kFreedPerFrame = 64;
+
   TeNodePtr<SoTranslation> m_translation;
   glm::dvec2 m_anchor;
   glm::dvec2 m_nextAnchor{0};
@@ -92,6 +95,7 @@ private:
   std::int64_t m_withNext = 0; ///< meshes of this frame that have a buffer for the next anchor
   std::int64_t m_withoutNext = 0;
   std::size_t m_anchorBytesLeft = 0;
+  int m_freesLeft = kFreedPerFrame;
   Frame m_frame;
   double m_recentSeconds = 0; ///< of uploads, fading
   double m_recentBytes = 0;

@@ -14,9 +14,9 @@ namespace {
 /// A block somewhere in the world, drawn around its centre.
 class TeMeshDrawingTest : public TeRenderTest {
 protected:
-  void build(double away) {
+  void build(double away, int patches = 3) {
     m_block = std::make_unique<TeStaticBlock>(
-        meshBlock(worldOf(std::make_shared<TeSampleFunction>(hills), 33), {away, -away}, 3));
+        meshBlock(worldOf(std::make_shared<TeSampleFunction>(hills), 33), {away, -away}, patches));
     m_drawing = drawingOf(*m_block);
     m_graph = meshGraph(*m_block, m_drawing);
     m_scene = sideView(m_graph.get(), 70);
@@ -133,6 +133,32 @@ TEST_F(TeMeshDrawingTest, CommittedBeforeItIsReadyIsStillWithoutAGap) {
   const TePicture after = frame(0);
   EXPECT_EQ(m_drawing->frame().uploads, 25 - 1);
   EXPECT_EQ(enclosedBackground(after), 0);
+}
+
+// 81 meshes: freeing all their buffers in one frame would be felt.
+TEST_F(TeMeshDrawingTest, BuffersOfTheAnchorBeforeGoBitByBit) {
+  ASSERT_NO_FATAL_FAILURE(build(0, 5));
+  frame(0);
+  const std::size_t bytes = m_drawing->bufferBytes();
+  m_drawing->beginAnchor({640, 0});
+  const TePicture there = frame(1 << 20);
+  ASSERT_TRUE(m_drawing->nextAnchorReady());
+  const std::size_t both = m_drawing->bufferBytes();
+  m_drawing->commitAnchor();
+  frame(0);
+  EXPECT_LT(m_drawing->bufferBytes(), both);
+  EXPECT_GT(m_drawing->bufferBytes(), bytes);
+  frame(0);
+  EXPECT_EQ(m_drawing->bufferBytes(), bytes);
+
+  // Back again before they are gone: they are used again.
+  m_drawing->beginAnchor({0, 0});
+  frame(1 << 20);
+  m_drawing->commitAnchor();
+  m_drawing->beginAnchor({640, 0});
+  EXPECT_EQ(frame(1 << 20), there);
+  EXPECT_EQ(m_drawing->frame().uploads, 0);
+  EXPECT_TRUE(m_drawing->nextAnchorReady());
 }
 
 TEST_F(TeMeshDrawingTest, AnotherNextAnchorStartsTheChangeOver) {
