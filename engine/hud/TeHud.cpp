@@ -128,18 +128,24 @@ void TeHud::setLines(const std::vector<std::string>& lines) {
 
 void TeHud::setHelp(const std::vector<std::string>& lines) {
   m_changes += m_help->setLines(shownTexts(lines));
+  updateShown();
   arrange();
 }
 
 void TeHud::showHelp(bool shown) {
   m_helpShown = shown;
-  m_changes += m_help->setShown(m_visible && m_helpShown);
+  updateShown();
 }
 
 void TeHud::setVisible(bool visible) {
   m_visible = visible;
-  m_changes += m_lines->setShown(m_visible);
-  m_changes += m_help->setShown(m_visible && m_helpShown);
+  updateShown();
+}
+
+void TeHud::updateShown() {
+  const bool help = m_helpShown && !m_help->lines().empty();
+  m_changes += m_help->setShown(m_visible && help);
+  m_changes += m_lines->setShown(m_visible && !help);
 }
 
 const std::vector<std::string>& TeHud::lines() const { return m_lines->lines(); }

@@ -12,12 +12,13 @@ class SoOrthographicCamera;
 class SoSeparator;
 class TeTextPanel;
 
-/// Lines of text over the picture: values in the upper left corner, help in the middle.
+/// Lines of text over the picture: values in the upper left corner or, while it is asked for, help in the
+/// middle.
 ///
 /// Light text on translucent dark panels, drawn without depth test, light and fog after the scene; readable
 /// over anything. Coordinates are pixels from the lower left corner. Nodes change only when what they show
-/// does. Text is ASCII and "°"; other characters show as '?'. For the thread that makes all Coin calls,
-/// after SoDB::init().
+/// does; drawing 250 characters with llvmpipe takes about 1 ms. Text is ASCII and "°"; other characters show
+/// as '?'. For the thread that makes all Coin calls, after SoDB::init().
 class TeHud {
 public:
   static constexpr int kMaxLines = 64;
@@ -51,6 +52,7 @@ public:
 
 private:
   void arrange();
+  void updateShown();
 
   TeNodePtr<SoSeparator> m_root;
   TeNodePtr<SoOrthographicCamera> m_camera;

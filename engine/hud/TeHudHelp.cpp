@@ -8,7 +8,7 @@
 namespace {
 
 const std::vector<std::string> kEngineHelp = {"F1, /  this help", "H  figures", "P  pause",
-                                              "W, F3, X  wireframe, where the key has no other use"};
+                                              "W, F3, X  wireframe"};
 
 /// Where a line's meaning begins; 0 if it has no keys.
 std::size_t meaningOf(const std::string& line) {

@@ -71,11 +71,8 @@ bool TeTextPanel::setShown(bool shown) {
 }
 
 bool TeTextPanel::setTopLeft(glm::ivec2 place) {
-  if (place == m_topLeft)
-    return false;
   m_topLeft = place;
-  m_place->translation.setValue(float(place.x), float(place.y), 0);
-  return true;
+  return update();
 }
 
 glm::ivec2 TeTextPanel::size() const {
@@ -84,14 +81,22 @@ glm::ivec2 TeTextPanel::size() const {
 
 bool TeTextPanel::update() {
   const bool visible = m_shown && !m_lines.empty();
-  const bool newText = visible && m_textIsOld;
-  if (newText)
+  bool changed = false;
+  if (visible && m_textIsOld) {
     updateText();
+    changed = true;
+  }
+  const SbVec3f place(float(m_topLeft.x), float(m_topLeft.y), 0);
+  if (visible && m_place->translation.getValue() != place) {
+    m_place->translation = place;
+    changed = true;
+  }
   const int child = visible ? SO_SWITCH_ALL : SO_SWITCH_NONE;
-  if (m_switch->whichChild.getValue() == child)
-    return newText;
-  m_switch->whichChild = child;
-  return true;
+  if (m_switch->whichChild.getValue() != child) {
+    m_switch->whichChild = child;
+    changed = true;
+  }
+  return changed;
 }
 
 void TeTextPanel::updateText() {

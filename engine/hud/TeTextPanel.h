@@ -23,10 +23,12 @@ public:
   TeTextPanel();
 
   SoSwitch* node() const { return m_switch.get(); }
-  /// Lines of printable text. True if nodes changed, which waits until they are shown.
+  // All that is set waits until it is shown; true if nodes changed.
+
+  /// Lines of printable text.
   bool setLines(const std::vector<std::string>& lines);
   const std::vector<std::string>& lines() const { return m_lines; }
-  /// A panel without lines is not shown either. True if nodes changed.
+  /// A panel without lines is not shown either.
   bool setShown(bool shown);
   bool setTopLeft(glm::ivec2 place);
   /// Wide enough for the longest line that it has had with this number of lines, so that it does not

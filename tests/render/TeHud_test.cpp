@@ -97,7 +97,6 @@ TEST_F(TeHudRenderTest, CoversItsPanelsAndNothingElse) {
   EXPECT_EQ(lines.top, kHeight - 11);
   EXPECT_EQ(lines.right, 10 + 36 * 8 + 16 - 1);
   EXPECT_EQ(lines.bottom, kHeight - 10 - 4 * 17 - 16);
-  m_hud->setLines({});
   m_hud->showHelp(true);
   const Area help = difference(without, drawAll("hud-help"));
   EXPECT_NEAR(help.left + help.right, kWidth, 2) << "in the middle";

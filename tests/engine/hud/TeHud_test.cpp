@@ -77,6 +77,21 @@ TEST_F(TeHudTest, WhatIsHiddenChangesWithoutARedraw) {
   EXPECT_THAT(m_hud->lines(), ElementsAre("speed 9"));
 }
 
+TEST_F(TeHudTest, HelpTakesThePlaceOfTheLines) {
+  m_hud->setLines({"speed 1"});
+  m_hud->setHelp({"F1  help"});
+  m_changes = m_hud->changes();
+  m_notified = 0;
+  m_hud->showHelp(true);
+  EXPECT_TRUE(changed());
+  m_hud->setLines({"speed 2"});
+  EXPECT_FALSE(changed()) << "they are not seen now";
+  m_hud->showHelp(false);
+  EXPECT_TRUE(changed());
+  m_hud->setHelp({"F1  other help"});
+  EXPECT_FALSE(changed());
+}
+
 TEST_F(TeHudTest, ItsCameraShowsPixels) {
   for (const int width : {800, 1, 123}) {
     m_hud->setViewport(width, 60);
