@@ -219,13 +219,13 @@ std::vector<std::string> TeCar::hudLines() const {
   const bool reverse = speed < 0 || (speed == 0 && m_controls.throttle < 0);
   const double angle = std::atan(m_steering) * kDegrees;
   const char* note = m_waiting ? "waiting for ground" : m_blocked ? "blocked" : isAuto() ? "automatic" : "";
-  return {line("speed %.0f km/h  gear %s%s", std::fabs(speed) * 3.6, reverse ? "R" : "F",
+  return {line("speed     %.0f km/h  gear %s%s", std::fabs(speed) * 3.6, reverse ? "R" : "F",
                m_controls.handBrake ? "  hand brake" : ""),
-          line("steering %.0f° %s", std::fabs(angle),
+          line("steering  %.0f° %s", std::fabs(angle),
                angle > 0.5    ? "left"
                : angle < -0.5 ? "right"
                               : ""),
-          line("slope %+.0f°  %s", std::asin(std::clamp(forward.z, -1.0, 1.0)) * kDegrees, note)};
+          line("slope     %+.0f°  %s", std::asin(std::clamp(forward.z, -1.0, 1.0)) * kDegrees, note)};
 }
 
 std::vector<std::string> TeCar::helpLines() const {

@@ -90,6 +90,9 @@ void addBody(SoSeparator* body) {
   body->addChild(box({0, -2.00f, 0.62f}, {1.36f, 0.14f, 0.16f}));
   body->addChild(box({0, 0, 0.42f}, {1.10f, 2.90f, 0.10f})); // frame
   body->addChild(box({0, 1.93f, 0.84f}, {0.60f, 0.04f, 0.14f}));
+  body->addChild(box({0, 1.25f, 1.00f}, {0.46f, 0.50f, 0.09f}));      // air scoop
+  body->addChild(box({-0.74f, 0.50f, 1.14f}, {0.20f, 0.07f, 0.14f})); // mirrors
+  body->addChild(box({0.74f, 0.50f, 1.14f}, {0.20f, 0.07f, 0.14f}));
   body->addChild(lamp(SbColor(1.0f, 0.95f, 0.75f)));
   body->addChild(box({-0.48f, 1.93f, 0.84f}, {0.20f, 0.06f, 0.16f}));
   body->addChild(box({0.48f, 1.93f, 0.84f}, {0.20f, 0.06f, 0.16f}));

@@ -16,9 +16,8 @@ TeTerrainScene::TeTerrainScene(const TeLattice& lattice, const glm::dvec3& eye)
   // A cache of lists would be thrown away at every change, and the meshes have buffers of their own.
   m_root->renderCaching = SoSeparator::OFF;
   m_root->addChild(m_drawing->translation());
-  auto* hints = new SoShapeHints;
-  hints->vertexOrdering = SoShapeHints::COUNTERCLOCKWISE;
-  m_root->addChild(hints);
+  // No light from behind: where a slope seen from the back shows in a pixel of a ridge, it would be dark.
+  m_root->addChild(new SoShapeHints);
   m_root->addChild(m_style.get());
   m_root->addChild(m_patches.get());
   jump(eye);
