@@ -42,6 +42,8 @@ int teRunEngine(const TeCommandLine& commandLine, const TeEngineOptions& options
     return fail(TeExitFailure, name, ran);
   if (const TeStatus ok = session.finish(); !ok)
     return fail(TeExitFailure, name, ok);
+  if (!common.quiet)
+    std::puts(session.summary().c_str());
   if (!common.report.empty()) {
     session.describe(report.json());
     if (const TeStatus ok = report.write(common.report); !ok)

@@ -38,21 +38,7 @@ TeStatus TeEngineSession::prepare() {
     m_replay = std::move(*replay);
   }
   engine().setKeyCallback([this](const TeKeyEvent& key) { return handleKey(key); });
-  if (!engine().initialize())
-    return TeError{engine().lastError()};
-  showHelp();
-  return {};
-}
-
-void TeEngineSession::showHelp() {
-  std::vector<std::string> lines = engine().getActiveObject()->helpLines();
-  for (std::string& line : engine().getCameraRig().helpLines())
-    lines.push_back(std::move(line));
-  for (const char* line :
-       {"P               pause", "W, X, F3        wireframe", "H               figures on, off",
-        "F12, G          picture to a file", "F1, /           this help", "Esc             leave"})
-    lines.push_back(line);
-  engine().getHud().setHelp(lines);
+  return engine().initialize() ? TeStatus() : TeError{engine().lastError()};
 }
 
 TeStatus TeEngineSession::startRecording() {
@@ -158,6 +144,16 @@ void TeEngineSession::savePicture(const TeResult<TePicture>& picture) {
 }
 
 TeStatus TeEngineSession::finish() { return m_recorder ? m_recorder->finish() : TeStatus(); }
+
+std::string TeEngineSession::summary() const {
+  const TeStatistics& statistics = m_stage->engine().getStatistics();
+  char text[160];
+  std::snprintf(text, sizeof text, "%lld ticks, the worst %.1f ms of %.1f; %lld patches made, %lld drawn",
+                static_cast<long long>(statistics.ticks), 1000 * statistics.worstTickSeconds,
+                1000 * statistics.budgetSeconds, static_cast<long long>(statistics.patches.made),
+                static_cast<long long>(statistics.patches.drawn));
+  return text;
+}
 
 void TeEngineSession::describe(nlohmann::ordered_json& report) const {
   report["seed"] = m_common.seed;

@@ -45,11 +45,12 @@ public:
 
   /// Ends the recording. Error: it cannot be written.
   TeStatus finish();
+  /// One line about what was done.
+  std::string summary() const;
   void describe(nlohmann::ordered_json& report) const;
 
 private:
   TeRecorder::Settings settings() const;
-  void showHelp();
   bool handleKey(const TeKeyEvent& key);
 
   std::string m_application;

@@ -10,8 +10,9 @@
 
 namespace {
 
-constexpr double kCompanionX = -60;    ///< metres from the user
-constexpr double kAltitudeShare = 0.2; ///< of what is seen ahead: the rim of the block is 11° below
+constexpr double kCompanionX = -60; ///< metres from the user
+constexpr double kAltitudeShare =
+    0.12; ///< of what is seen ahead: the rim of the block is 7° below or little more
 const SbColor kCompanionColour(0.15f, 0.35f, 0.75f);
 
 bool isPathName(const std::string& path) {
@@ -38,7 +39,7 @@ double TeFlightApp::ground(TeEngine& engine, glm::dvec2 point) {
 TeStatus TeFlightApp::setUp(TeEngine& engine, SoSeparator&, glm::dvec2 start) {
   if (const TeStatus ok = m_options.check(); !ok)
     return ok;
-  const double ahead = (m_engine.radius + 0.5) * engine.getDatabase()->lattice().patchSide();
+  const double ahead = (m_engine.radius + 1.5) * engine.getDatabase()->lattice().patchSide();
   m_altitude = m_options.altitude.value_or(kAltitudeShare * ahead);
   if (const TeStatus ok =
           m_options.path.empty() ? addUsersAircraft(engine, start) : addPathAircraft(engine, start);

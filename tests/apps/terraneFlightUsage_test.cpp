@@ -102,6 +102,15 @@ TEST_F(TerraneFlightUsage, RecordingsThatCannotBeReplayed) {
   expectRefused(with({"--replay", recording, "--dt", "0.1", "--path", "line"}), 2, "path");
 }
 
+TEST_F(TerraneFlightUsage, QuietSaysNothing) {
+  const TeChildResult quiet = run(with({"--frames", "2"}));
+  EXPECT_EQ(quiet.status, 0);
+  EXPECT_EQ(quiet.output + quiet.error, "");
+  const TeChildResult result = run({"--frames", "2", "--context", "osmesa", "--size", "64x48"});
+  EXPECT_EQ(result.status, 0);
+  EXPECT_EQ(result.output.rfind("2 ticks, ", 0), 0u) << result.output;
+}
+
 TEST_F(TerraneFlightUsage, AWindowWithoutADisplayFails) {
   expectRefused({"--context", "window", "--quiet"}, 1, "display");
 }
