@@ -235,6 +235,8 @@ void TeEngineRuntime::followObject(double dt) {
                            TeViewFrustum(m_rig.eye(), m_rig.orientation(), camera.heightAngle.getValue(),
                                          camera.aspectRatio.getValue())};
   if (m_terrain.follow(view)) {
+    m_wasComplete = false;
+    m_statistics.ticksUntilComplete = 0;
     m_scene.jump(m_rig.eye());
     m_objectScene.placeAll(m_scene.origin());
   } else if (m_scene.follow(m_rig.eye(), m_terrain.block().radius)) {
@@ -292,8 +294,12 @@ void TeEngineRuntime::updateStatistics() {
   if (!m_terrain.hasGround(object.position()))
     ++m_statistics.framesWithoutGround;
   m_terrain.count(m_statistics);
-  if (m_statistics.patches.missingInView > 0)
+  if (m_statistics.patches.missingInView > 0) {
     ++m_statistics.framesWithMissingInView;
+    m_statistics.framesWithMissingLater += m_wasComplete ? 1 : 0;
+  }
+  m_statistics.ticksUntilComplete += m_wasComplete ? 0 : 1;
+  m_wasComplete = m_wasComplete || m_statistics.patches.missing == 0;
   m_queue.count(m_statistics.jobs);
   m_statistics.jobs.mapsMade = m_maps.mapsMade();
   m_statistics.jobs.mapsShared = m_maps.mapsShared();

@@ -80,6 +80,7 @@ private:
   bool m_changed = true;
   double m_after = 0;       ///< seconds that ticks take after their slice, lately
   double m_longestUnit = 0; ///< seconds, of the last tick
+  bool m_wasComplete = false; ///< the block, since the start or the last jump
   bool m_tickOpen = false;  ///< the uploads that the last tick led to are not counted yet
   int m_hudChanges = 0;
   double m_hudTime = 0; ///< simulated, of the last change of its numbers

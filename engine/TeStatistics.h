@@ -59,6 +59,9 @@ struct TeStatistics {
   double longestUnitSeconds = 0;
   std::int64_t framesWithoutGround = 0; ///< ticks that ended with no known patch below the active object
   std::int64_t framesWithMissingInView = 0;
+  /// Of these, those after the block had been complete once, at the start or since the last jump.
+  std::int64_t framesWithMissingLater = 0;
+  std::int64_t ticksUntilComplete = 0; ///< from the start or the last jump to the complete block, or to now
   std::int64_t objectsHeld = 0; ///< updates that were left out for want of ground
   std::int64_t redraws = 0;     ///< frames in which something had changed
   double heightAboveGround = 0; ///< of the active object; NaN if the ground is not known

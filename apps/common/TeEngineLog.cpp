@@ -81,6 +81,8 @@ void TeEngineLog::describe(const TeEngine& engine, Json& report) const {
   report["longest_unit_ms"] = 1000 * statistics.longestUnitSeconds;
   report["frames_without_ground"] = statistics.framesWithoutGround;
   report["frames_with_missing_in_view"] = statistics.framesWithMissingInView;
+  report["frames_with_missing_later"] = statistics.framesWithMissingLater;
+  report["ticks_until_complete"] = statistics.ticksUntilComplete;
   report["updates_held"] = statistics.objectsHeld;
   report["teleports"] = {{"count", m_teleports}, {"most_ticks_until_ground", m_mostTicksUntilGround}};
   report["redraws"] = statistics.redraws;

@@ -97,6 +97,20 @@ TEST(TeEngineRuntime, OnCrossingThePatchBelowBecomesTheMiddle) {
   EXPECT_EQ(kept, 6) << "two columns of three stay";
 }
 
+TEST(TeEngineRuntime, FlyingStraightNothingInViewIsMissingOnceTheBlockIsComplete) {
+  for (const double speed : {60.0, 600.0}) {
+    TeEndlessWorld world(65, 64);
+    world.engine.setUnitBudget(48);
+    EXPECT_TRUE(world.object->setVelocity({0, speed, 0}));
+    ASSERT_TRUE(world.engine.initialize());
+    for (int i = 0; i < 300; ++i)
+      ASSERT_TRUE(world.engine.timeTick(kDt));
+    EXPECT_EQ(world.statistics().framesWithMissingLater, 0) << speed;
+    EXPECT_EQ(world.statistics().framesWithoutGround, 0) << speed;
+    EXPECT_LE(world.statistics().ticksUntilComplete, 30) << speed;
+  }
+}
+
 TEST(TeEngineRuntime, ToAndFroOverAnEdgeNothingIsMadeAgain) {
   TeEndlessWorld world;
   ASSERT_TRUE(world.engine.initialize());
