@@ -67,6 +67,12 @@ bool TeTerrain::inView(const TePatchKey& key) const {
   return m_view.frustum.meets({southWest, m_lowest}, {southWest + side, m_highest});
 }
 
+bool TeTerrain::neededInView(const TePatchKey& key) const {
+  const double side = m_database.lattice().patchSide();
+  const glm::dvec2 northEast = tePatchOrigin(m_database.lattice(), key) + side;
+  return m_view.frustum.meets({northEast - 2 * side, m_lowest}, {northEast, m_highest});
+}
+
 TeJobKind TeTerrain::kindOf(const TePatchKey& key) const {
   if (m_plan.pins().holds(key) || key == block().centre)
     return TeJobKind::Ground;
@@ -81,7 +87,7 @@ TeUrgency TeTerrain::urgencyOf(const TePatchKey& key, TeTerrainPiece piece) cons
     urgency.rank = key == block().centre ? 0 : 1;
     break;
   case TeJobKind::Block:
-    urgency.rank = inView(key) ? 0 : 1;
+    urgency.rank = neededInView(key) ? 0 : 1;
     break;
   default:
     break;

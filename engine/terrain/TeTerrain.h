@@ -87,6 +87,8 @@ private:
   TeJobKind kindOf(const TePatchKey& key) const;
   TeUrgency urgencyOf(const TePatchKey& key, TeTerrainPiece piece = TeTerrainPiece::Inside) const;
   bool inView(const TePatchKey& key) const;
+  /// Or one of the patches to its west and south is, whose seams need it.
+  bool neededInView(const TePatchKey& key) const;
 
   void replan();
   void reviewJobs();

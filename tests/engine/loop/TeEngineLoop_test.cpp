@@ -18,14 +18,17 @@ namespace {
 class TeEngineLoopTest : public testing::Test {
 protected:
   void start() {
+    SoDB::setRealTimeInterval(SbTime::zero()); // Coin's own clock has a sensor, too
+    ASSERT_TRUE(m_world.engine.setUnitBudget(2)) << "so that the block takes several ticks";
     ASSERT_TRUE(m_world.engine.initialize()) << m_world.engine.lastError();
     m_loop = std::make_unique<TeEngineLoop>(m_world.engine, m_world.scene.get());
     m_loop->start();
   }
-  /// Until the loop sleeps.
+  /// Until the loop sleeps, and the timer with which Coin sees to its queue has run out.
   void settle() {
     for (int i = 0; i < 10000 && loop().state() != TeEngineLoop::State::Sleeping; ++i)
       serve(true);
+    serveFor(0.1);
     ASSERT_EQ(loop().state(), TeEngineLoop::State::Sleeping);
   }
   /// What is due now; idle sensors only if asked for.
