@@ -16,15 +16,16 @@
 namespace {
 
 constexpr int kColumns = 24;
-constexpr int kRows = 10; ///< from kLowest to overhead
+constexpr int kRows = 16; ///< from kLowest to overhead
 constexpr float kLowest = -0.1f;
+constexpr float kHazy = 0.05f; ///< so far up it has the horizon's colour, that of hills in the haze
 const SbColor kOverhead(0.22f, 0.42f, 0.72f);
 constexpr float kPi = 3.14159265f;
 
 float elevation(int row) { return kLowest + (kPi / 2 - kLowest) * float(row) / kRows; }
 
 SbColor colourAt(float elevation, const SbColor& horizon) {
-  const float share = std::sqrt(std::clamp(elevation / (kPi / 2), 0.0f, 1.0f));
+  const float share = std::sqrt(std::clamp((elevation - kHazy) / (kPi / 2), 0.0f, 1.0f));
   return horizon * (1 - share) + kOverhead * share;
 }
 

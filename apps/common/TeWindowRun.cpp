@@ -5,6 +5,8 @@
 #include "generators/base/TeHash.h"
 #include "nodes/context/TeWindow.h"
 
+#include <Inventor/SoDB.h>
+
 #include <algorithm>
 
 namespace {
@@ -76,6 +78,7 @@ TeStatus teRunInWindow(TeEngineSession& session, const std::string& title, TeRep
   viewer.height = common.height;
   viewer.background = session.stage().background();
   viewer.frames = common.offscreen.empty() ? common.frames : std::max(1, common.frames);
+  SoDB::setRealTimeInterval(SbTime::zero()); // a timer of Coin's, which nothing here needs
   Client client(session);
   if (const TeStatus ok = client.setRate(session.options().fps); !ok)
     return ok;

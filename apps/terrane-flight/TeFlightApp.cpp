@@ -11,8 +11,9 @@
 namespace {
 
 constexpr double kCompanionX = -60; ///< metres from the user
-constexpr double kAltitudeShare =
-    0.12; ///< of what is seen ahead: the rim of the block is 7° below or little more
+/// The first altitude, of what is seen ahead: the rim of the block is 7° below or little more.
+constexpr double kAltitudeShare = 0.12;
+constexpr double kHighestStart = 1000; ///< metres above the ground
 const SbColor kCompanionColour(0.15f, 0.35f, 0.75f);
 
 bool isPathName(const std::string& path) {
@@ -40,7 +41,7 @@ TeStatus TeFlightApp::setUp(TeEngine& engine, SoSeparator&, glm::dvec2 start) {
   if (const TeStatus ok = m_options.check(); !ok)
     return ok;
   const double ahead = (m_engine.radius + 1.5) * engine.getDatabase()->lattice().patchSide();
-  m_altitude = m_options.altitude.value_or(kAltitudeShare * ahead);
+  m_altitude = m_options.altitude.value_or(std::min(kAltitudeShare * ahead, kHighestStart));
   if (const TeStatus ok =
           m_options.path.empty() ? addUsersAircraft(engine, start) : addPathAircraft(engine, start);
       !ok)
