@@ -47,6 +47,16 @@ TEST(TeHudLines, UnknownGroundIsSaid) {
   EXPECT_THAT(teHudLines(balloon, statistics), Contains(HasSubstr("unknown")));
 }
 
+TEST(TeHudLines, NothingIsMinusZero) {
+  Balloon balloon;
+  ASSERT_TRUE(balloon.setPosition({-0.01, -0.0, 0.01}));
+  ASSERT_TRUE(balloon.setVelocity({-0.04, 0, -0.0}));
+  TeStatistics statistics;
+  statistics.heightAboveGround = -1e-9;
+  for (const std::string& line : teHudLines(balloon, statistics))
+    EXPECT_EQ(line.find("-0.0"), std::string::npos) << line;
+}
+
 TEST(TeHudLines, HugeNumbersAreCutNotOverrun) {
   Balloon balloon;
   ASSERT_TRUE(balloon.setPosition({1e300, -1e300, 1e300}));
