@@ -29,7 +29,7 @@ fly() {
 if [ $# -gt 0 ]; then
   fly flight "$@"
 else
-  fly flight-first --path line
+  fly flight-first --path line --radius 3
   fly flight-third --path circle --radius 4 --view third
   fly flight-far --path zigzag --radius 8 --hud off
 fi

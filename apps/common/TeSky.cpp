@@ -25,7 +25,8 @@ constexpr float kPi = 3.14159265f;
 float elevation(int row) { return kLowest + (kPi / 2 - kLowest) * float(row) / kRows; }
 
 SbColor colourAt(float elevation, const SbColor& horizon) {
-  const float share = std::sqrt(std::clamp((elevation - kHazy) / (kPi / 2), 0.0f, 1.0f));
+  const float height = std::clamp((elevation - kHazy) / (kPi / 2), 0.0f, 1.0f);
+  const float share = height * (2 - height);
   return horizon * (1 - share) + kOverhead * share;
 }
 
