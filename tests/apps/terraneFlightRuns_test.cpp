@@ -77,9 +77,7 @@ TEST_F(TerraneFlightRuns, StraightFlightAlwaysHasGroundAndAView) {
     EXPECT_EQ(report()["frames_without_ground"], 0) << speed;
     std::printf("%s m/s: %d of 150 frames with a patch missing in view, worst tick %.2f ms\n", speed,
                 report()["frames_with_missing_in_view"].get<int>(), report()["worst_tick_ms"].get<double>());
-    if (speed == std::string("60")) {
-      EXPECT_LE(report()["frames_with_missing_in_view"], 5) << "only while the first block is made";
-    }
+    EXPECT_EQ(report()["frames_with_missing_later"], 0) << speed << ": only while the first block is made";
     EXPECT_NEAR(report()["path"]["metres"].get<double>(), 150 * 0.0333 * std::stod(speed), 1e-6);
   }
 }
