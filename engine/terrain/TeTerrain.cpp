@@ -324,7 +324,7 @@ void TeTerrain::show(TeAllowance& allowance) {
     patch->second.graph->addChild(piece.node.get());
     const std::size_t bytes = piece.node->uploadBytes();
     m_unitBytes += std::int64_t(bytes);
-    allowance.charge(double(bytes) * m_scene.drawing()->secondsPerByte(), m_unitBytes / kBytesPerUnit);
+    allowance.charge(m_scene.drawing()->uploadSeconds(bytes), m_unitBytes / kBytesPerUnit);
     m_unitBytes %= kBytesPerUnit;
   }
   m_toShow.erase(m_toShow.begin(), m_toShow.begin() + std::ptrdiff_t(shown));
@@ -435,7 +435,7 @@ void TeTerrain::count(TeStatistics& statistics) {
   statistics.memory.meshes = m_meshBytes;
   statistics.memory.maps = m_database.maps().residentBytes();
   statistics.memory.buffers = m_scene.drawing()->bufferBytes();
-  statistics.memory.records = m_madeKeys.bytes();
+  statistics.memory.records = m_madeKeys.bytes() + m_database.maps().recordBytes();
 }
 
 std::uint64_t TeTerrain::hash() const {

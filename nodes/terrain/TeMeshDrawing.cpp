@@ -78,7 +78,9 @@ void TeMeshDrawing::resetFrame(std::size_t anchorBytes) {
   if (m_frame.bytesUploaded > 0) {
     m_recentSeconds = kFading * m_recentSeconds + m_frame.uploadSeconds;
     m_recentBytes = kFading * m_recentBytes + double(m_frame.bytesUploaded);
+    m_recentUploads = kFading * m_recentUploads + double(m_frame.uploads);
     m_secondsPerByte = m_recentSeconds / m_recentBytes;
+    m_secondsPerUpload = std::max(0.0, (m_recentSeconds - kCopySeconds * m_recentBytes) / m_recentUploads);
   }
   m_frame = {};
 }

@@ -64,10 +64,18 @@ public:
   const Frame& frame() const { return m_frame; }
   /// In OpenGL buffers, all contexts together, with those that wait for their context to be freed in.
   std::size_t bufferBytes() const;
-  /// CPU seconds that an upload has taken per byte, lately; a guess before the first.
+  /// CPU seconds that uploads have taken per byte, lately; a guess before the first.
   double secondsPerByte() const { return m_secondsPerByte; }
+  /// CPU seconds that the upload of a mesh will take, judged by the latest ones, rather too many than too
+  /// few. A small mesh costs hardly less than a large one.
+  double uploadSeconds(std::size_t bytes) const {
+    return kCaution * (m_secondsPerUpload + kCopySeconds * double(bytes));
+  }
 
 private:
+  static constexpr double kCopySeconds = 2e-10; ///< to copy a byte
+  static constexpr double kCaution = 1.5;
+
   friend class SoTeTerrainMesh;
 
   /// The buffers of a context, which is current.
@@ -99,6 +107,8 @@ private:
   Frame m_frame;
   double m_recentSeconds = 0; ///< of uploads, fading
   double m_recentBytes = 0;
-  double m_secondsPerByte = 1e-9;
+  double m_recentUploads = 0;
+  double m_secondsPerByte = 2e-9;
+  double m_secondsPerUpload = 2e-5;
   std::map<std::uint32_t, std::shared_ptr<TeMeshBuffers>> m_buffers; ///< by context
 };

@@ -168,6 +168,8 @@ TEST_F(TeMeshBuffersTest, DrawsOnlyWhatIsInViewAndUploadsTheRestToo) {
 
   drawing->resetFrame();
   EXPECT_GT(drawing->secondsPerByte(), 0);
+  EXPECT_LT(drawing->uploadSeconds(1000), drawing->uploadSeconds(1000000));
+  EXPECT_GE(25 * drawing->uploadSeconds(std::size_t(first.bytesUploaded) / 25), 0.9 * first.uploadSeconds);
   camera->pointAt(SbVec3f(-30, 1, 0), SbVec3f(0, 0, 1));
   ASSERT_TRUE((*renderer)->draw(scene.get()));
   EXPECT_GT(drawing->frame().meshesDrawn, 4);
