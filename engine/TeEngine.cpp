@@ -335,9 +335,11 @@ void TeEngine::postKey(const TeKeyEvent& event) {
     m_runtime->postKey(event);
 }
 
-void TeEngine::addJob(std::unique_ptr<TeJob> job) {
-  if (m_runtime && job)
-    m_runtime->addJob(std::move(job));
+SbBool TeEngine::addJob(std::unique_ptr<TeJob> job) {
+  if (!checkSetting(m_runtime && job, m_runtime ? "no job given" : "addJob() needs initialize() first"))
+    return FALSE;
+  m_runtime->addJob(std::move(job));
+  return TRUE;
 }
 
 SbBool TeEngine::setPaused(SbBool paused) {

@@ -48,7 +48,7 @@ public:
   /// A patch became known (heightAt() and the like work there) or was forgotten. `graph`: what is in the
   /// scene as long as the patch belongs to the block; a program may add its own nodes.
   using PatchCallback = TeEngineSettings::PatchCallback;
-  /// A patch that cannot be made, an object that was stopped.
+  /// A patch that cannot be made, an object that was stopped, a job of the program that failed.
   using ErrorCallback = TeEngineSettings::ErrorCallback;
   /// After objects were updated; `dt` is the simulated time of the tick. Not called while none moves.
   using CollisionHook = TeEngineSettings::CollisionHook;
@@ -136,9 +136,11 @@ public:
   SbBool isInitialized() const { return m_runtime != nullptr; }
   /// One turn of the loop: events, objects, the collision hook, terrain below each object, slices of
   /// generation, hand-over to the scene, call-backs, statistics. FALSE, and nothing done: not initialised; dt
-  /// is negative or not finite. Of more than TeObjects::kLongestTick seconds the rest is dropped.
+  /// is negative or not finite; the generator's parameters are not usable; a call-back calls it that is not
+  /// of the tick's end. Of more than TeObjects::kLongestTick seconds the rest is dropped.
   SbBool timeTick(double dt);
-  /// Works until nothing is left to be made, whatever the budget, and hands it to the scene.
+  /// Works until nothing is left to be made for objects as they are now, whatever the budget, and hands it to
+  /// the scene. Does nothing within an object's update() or a job's step().
   void finishJobs();
   /// Nothing moves and nothing is to be made: no tick is needed before the next event.
   bool isIdle() const;
@@ -150,9 +152,10 @@ public:
   /// time for drawing it.
   void frameDrawn(double frameSeconds, double drawSeconds);
 
-  /// Queues a key for the next tick.
+  /// Queues a key for the next tick; only once initialised.
   void postKey(const TeKeyEvent& event);
-  // Call-backs come at the end of a tick (keys: at its beginning), and may call the engine. At any time.
+  // Call-backs come at the end of a tick (keys at its beginning, objects that were stopped and collisions
+  // after objects), in the order of what they tell, and may call the engine, but not delete it. At any time.
 
   /// Gets the keys that neither the active object, the camera nor the engine uses.
   void setKeyCallback(KeyCallback callback) { m_settings.key = std::move(callback); }
@@ -160,10 +163,12 @@ public:
   void setPatchDroppedCallback(PatchCallback callback) { m_settings.patchDropped = std::move(callback); }
   void setErrorCallback(ErrorCallback callback) { m_settings.error = std::move(callback); }
   void setCollisionHook(CollisionHook hook) { m_settings.collisions = std::move(hook); }
-  /// Work of the program's own, of kind TeJobKind::Other. The engine owns it.
-  void addJob(std::unique_ptr<TeJob> job);
 
   // Only once initialised.
+
+  /// Work of the program's own, of kind TeJobKind::Other. The engine owns it. FALSE, and the job is gone:
+  /// none was given, or not initialised.
+  SbBool addJob(std::unique_ptr<TeJob> job);
   SbBool setPaused(SbBool paused); ///< objects stand still; terrain is made all the same
   SbBool isPaused() const;
   SbBool setWireframe(SbBool wireframe);

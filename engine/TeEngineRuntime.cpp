@@ -28,6 +28,12 @@ void keepLargest(TeStatistics::Memory& peak, const TeStatistics::Memory& now) {
   peak.records = std::max(peak.records, now.records);
 }
 
+/// Calls a copy, so that a call-back may replace itself.
+template <class Function, class... Arguments> void call(const Function& function, Arguments&&... arguments) {
+  if (const Function called = function)
+    called(std::forward<Arguments>(arguments)...);
+}
+
 /// Rock and snow lines that suit a world, judged by the source maps of one of its patches.
 TeSurfaceColours coloursOf(const TePatchData& patch) {
   double mean = 0;
@@ -112,11 +118,14 @@ void TeEngineRuntime::removeObject(const TeObject& object) {
 TeStatus TeEngineRuntime::tick(double dt) {
   if (!(dt >= 0) || std::isinf(dt))
     return TeError{"time of a tick: " + std::to_string(dt) + " s is not a number of at least 0"};
+  if (m_ticking)
+    return TeError{"a tick within a tick: timeTick() was called by a call-back that is part of one"};
+  m_ticking = true;
   closeTick();
+  const bool wasIdle = isIdle();
   const double begin = teThreadCpuSeconds();
   handleKeys();
-  if (const TeStatus ok = simulate(m_paused ? 0 : dt); !ok)
-    return ok;
+  simulate(m_paused ? 0 : dt);
   m_statistics.budgetSeconds = m_settings.budget.budget();
   TeAllowance slice = allowance();
   followObject(dt);
@@ -125,6 +134,8 @@ TeStatus TeEngineRuntime::tick(double dt) {
   const double worked = teThreadCpuSeconds();
   updateCamera();
   updateStatistics();
+  countFrame();
+  m_hudIsOld = m_hudIsOld || (!wasIdle && isIdle()); // no later tick may show the state of rest
   updateHud();
   ++m_statistics.ticks;
   const double end = teThreadCpuSeconds();
@@ -132,6 +143,7 @@ TeStatus TeEngineRuntime::tick(double dt) {
   // What comes after the slice has to fit into the budget, too.
   m_after = std::max(end - worked, kForget * m_after);
   m_tickOpen = true;
+  m_ticking = false;
   callBack();
   return {};
 }
@@ -159,13 +171,13 @@ void TeEngineRuntime::frameDrawn(double frameSeconds, double drawSeconds) {
 
 void TeEngineRuntime::handleKeys() {
   // A key's handling may post others, for the next tick.
-  m_handled.swap(m_keys);
-  for (const TeKeyEvent& event : m_handled) {
+  std::vector<TeKeyEvent> keys;
+  keys.swap(m_keys);
+  for (const TeKeyEvent& event : keys) {
     const bool isNew = event.down ? m_pressed.insert(event.key).second : m_pressed.erase(event.key) > 0;
     if (isNew)
       handleKey(event);
   }
-  m_handled.clear();
 }
 
 void TeEngineRuntime::handleKey(const TeKeyEvent& event) {
@@ -193,30 +205,28 @@ void TeEngineRuntime::handleKey(const TeKeyEvent& event) {
       break;
     }
   }
-  if (m_settings.key)
-    m_settings.key(event);
+  call(m_settings.key, event);
 }
 
-TeStatus TeEngineRuntime::simulate(double dt) {
+void TeEngineRuntime::simulate(double dt) {
   placeObjects(); // those that a program has moved
+  m_inside = true;
   const TeResult<TeObjects::Tick> done = m_objects.update(dt, m_database);
-  if (!done)
-    return done.error();
+  m_inside = false;
+  assert(done); // dt was checked
   m_statistics.simulatedSeconds += done->simulated;
   m_statistics.droppedSeconds += done->dropped;
   m_statistics.objectsHeld += done->held;
   for (const std::string& message : done->errors)
-    if (m_settings.error)
-      m_settings.error(message);
+    call(m_settings.error, message);
   for (const TeObject* object : m_objects.touched()) {
     m_terrain.place(*object);
     m_changed = m_objectScene.place(*object, m_scene.origin()) || m_changed;
   }
   if (m_settings.collisions && done->simulated > 0 && !m_objects.touched().empty()) {
-    m_settings.collisions(done->simulated);
+    call(m_settings.collisions, done->simulated);
     placeObjects();
   }
-  return {};
 }
 
 void TeEngineRuntime::placeObjects() {
@@ -270,7 +280,9 @@ void TeEngineRuntime::work(TeAllowance& allowance) {
   m_maps.setFixedJoin(m_settings.unitBudget > 0);
   m_maps.beginTick();
   allowance.beginUnit();
+  m_inside = true;
   m_terrain.work(allowance);
+  m_inside = false;
   m_changed = m_terrain.takeChanged() || drawing.changesAnchor() || m_changed;
 }
 
@@ -291,19 +303,22 @@ void TeEngineRuntime::updateStatistics() {
   const std::optional<double> ground = m_database.heightAt({object.position().x, object.position().y});
   m_statistics.heightAboveGround =
       ground ? object.position().z - *ground : std::numeric_limits<double>::quiet_NaN();
-  if (!m_terrain.hasGround(object.position()))
-    ++m_statistics.framesWithoutGround;
   m_terrain.count(m_statistics);
+  m_queue.count(m_statistics.jobs);
+  m_statistics.jobs.mapsMade = m_maps.mapsMade();
+  m_statistics.jobs.mapsShared = m_maps.mapsShared();
+  keepLargest(m_statistics.peak, m_statistics.memory);
+}
+
+void TeEngineRuntime::countFrame() {
+  if (!m_terrain.hasGround(m_settings.active->position()))
+    ++m_statistics.framesWithoutGround;
   if (m_statistics.patches.missingInView > 0) {
     ++m_statistics.framesWithMissingInView;
     m_statistics.framesWithMissingLater += m_wasComplete ? 1 : 0;
   }
   m_statistics.ticksUntilComplete += m_wasComplete ? 0 : 1;
   m_wasComplete = m_wasComplete || m_statistics.patches.missing == 0;
-  m_queue.count(m_statistics.jobs);
-  m_statistics.jobs.mapsMade = m_maps.mapsMade();
-  m_statistics.jobs.mapsShared = m_maps.mapsShared();
-  keepLargest(m_statistics.peak, m_statistics.memory);
 }
 
 void TeEngineRuntime::updateHud() {
@@ -322,33 +337,40 @@ void TeEngineRuntime::updateHud() {
 }
 
 void TeEngineRuntime::callBack() {
-  for (const TeTerrain::Event& event : m_terrain.takeEvents()) {
+  for (TeTerrain::Event& event : m_terrain.takeEvents())
+    m_events.push_back(std::move(event));
+  // A call-back may lead to others: those wait for their turn.
+  while (!m_events.empty()) {
+    const TeTerrain::Event event = std::move(m_events.front());
+    m_events.pop_front();
     switch (event.kind) {
     case TeTerrain::Event::Kind::Ready:
-      if (m_settings.patchReady)
-        m_settings.patchReady(event.key, event.graph.get());
+      call(m_settings.patchReady, event.key, event.graph.get());
       break;
     case TeTerrain::Event::Kind::Dropped:
-      if (m_settings.patchDropped)
-        m_settings.patchDropped(event.key, event.graph.get());
+      call(m_settings.patchDropped, event.key, event.graph.get());
       break;
     case TeTerrain::Event::Kind::Failed:
       TeLog::error(event.message);
-      if (m_settings.error)
-        m_settings.error(event.message);
+      call(m_settings.error, event.message);
       break;
     }
   }
 }
 
 void TeEngineRuntime::finishJobs() {
+  if (m_inside)
+    return;
+  closeTick();
+  placeObjects();
+  followObject(0);
   do {
     TeAllowance all = TeAllowance::unlimited();
     work(all);
     m_maps.joinAll();
   } while (!m_terrain.complete());
   m_scene.finishAnchor();
-  followObject(0);
+  followObject(0); // the camera keeps above ground that was not known before
   updateCamera();
   updateStatistics();
   m_hudIsOld = true;

@@ -8,6 +8,7 @@
 #include "engine/objects/TeObjects.h"
 #include "engine/terrain/TeTerrain.h"
 
+#include <deque>
 #include <memory>
 #include <set>
 #include <vector>
@@ -24,7 +25,9 @@ public:
 
   /// Builds the patch below the active object and fills the scene. Error: it cannot be built.
   TeStatus start();
+  /// Error, and nothing done: dt is negative or not finite, or a call-back within a tick calls it.
   TeStatus tick(double dt);
+  /// Nothing is done if an object's update or a job's step calls it.
   void finishJobs();
   void frameDrawn(double frameSeconds, double drawSeconds);
 
@@ -50,7 +53,7 @@ private:
   void closeTick();
   void handleKeys();
   void handleKey(const TeKeyEvent& event);
-  TeStatus simulate(double dt);
+  void simulate(double dt);
   void placeObjects();
   void followObject(double dt);
   void work(TeAllowance& allowance);
@@ -59,6 +62,7 @@ private:
   void updateCamera();
   void updateHud();
   void updateStatistics();
+  void countFrame();
   void callBack();
 
   TeEngineSettings& m_settings;
@@ -74,14 +78,16 @@ private:
   TeStatistics m_statistics;
   std::vector<TeKeyEvent> m_keys;
   std::set<SoKeyboardEvent::Key> m_pressed;
-  std::vector<TeKeyEvent> m_handled;
+  std::deque<TeTerrain::Event> m_events; ///< that call-backs were not told of yet
   bool m_paused = false;
   bool m_wireframe = false;
   bool m_changed = true;
-  double m_after = 0;       ///< seconds that ticks take after their slice, lately
-  double m_longestUnit = 0; ///< seconds, of the last tick
+  double m_after = 0;         ///< seconds that ticks take after their slice, lately
+  double m_longestUnit = 0;   ///< seconds, of the last tick
   bool m_wasComplete = false; ///< the block, since the start or the last jump
-  bool m_tickOpen = false;  ///< the uploads that the last tick led to are not counted yet
+  bool m_ticking = false;
+  bool m_inside = false;   ///< of an object's update or a job's step
+  bool m_tickOpen = false; ///< the uploads that the last tick led to are not counted yet
   int m_hudChanges = 0;
   double m_hudTime = 0; ///< simulated, of the last change of its numbers
   bool m_hudIsOld = true;

@@ -74,7 +74,10 @@ TeHud::TeHud() : m_lines(std::make_unique<TeTextPanel>()), m_help(std::make_uniq
   m_help->setShown(false);
 }
 
-TeHud::~TeHud() = default;
+TeHud::~TeHud() {
+  if (m_root && m_root->findChild(m_graph.get()) >= 0)
+    m_root->removeChild(m_graph.get());
+}
 
 TeStatus TeHud::attach(SoSeparator* root, SoOrthographicCamera* camera) {
   if (!root || !camera)
@@ -85,10 +88,10 @@ TeStatus TeHud::attach(SoSeparator* root, SoOrthographicCamera* camera) {
   m_camera = camera;
   if (root->findChild(camera) < 0)
     root->insertChild(camera, 0);
-  SoSeparator* graph = makeGraph();
-  graph->addChild(m_lines->node());
-  graph->addChild(m_help->node());
-  root->addChild(graph);
+  m_graph = TeNodePtr<SoSeparator>(makeGraph());
+  m_graph->addChild(m_lines->node());
+  m_graph->addChild(m_help->node());
+  root->addChild(m_graph.get());
   ++m_changes;
   arrange();
   return {};

@@ -25,7 +25,7 @@ public:
   static constexpr int kMaxColumns = 120; ///< longer lines are cut
 
   TeHud();
-  ~TeHud();
+  ~TeHud(); ///< takes its graph out of the root; the camera stays
   TeHud(const TeHud&) = delete;
   TeHud& operator=(const TeHud&) = delete;
 
@@ -56,6 +56,7 @@ private:
 
   TeNodePtr<SoSeparator> m_root;
   TeNodePtr<SoOrthographicCamera> m_camera;
+  TeNodePtr<SoSeparator> m_graph; ///< what it has added to the root
   std::unique_ptr<TeTextPanel> m_lines;
   std::unique_ptr<TeTextPanel> m_help;
   std::vector<std::string> m_programHelp;

@@ -98,9 +98,11 @@ TeUrgency TeTerrain::urgencyOf(const TePatchKey& key, TeTerrainPiece piece) cons
 bool TeTerrain::follow(const TeTerrainView& view) {
   ++m_ticks;
   m_view = view;
-  if (m_plan.update(m_database.lattice(), view) || m_ticks % kRetryTicks == 0) {
+  const bool changed = m_plan.update(m_database.lattice(), view);
+  if (changed || m_ticks >= m_retryTick) {
+    m_retryTick = kNever;
     replan();
-  } else {
+  } else if (!complete()) {
     const double side = m_database.lattice().patchSide();
     if (glm::dot(m_view.frustum.direction(), m_reviewedView.frustum.direction()) < kTurned ||
         glm::distance(m_view.position, m_reviewedView.position) > kMoved * side)
@@ -118,7 +120,7 @@ void TeTerrain::replan() {
 void TeTerrain::want(const TePatchKey& key, TeJobKind kind) {
   if (const auto found = m_patches.find(key); found != m_patches.end()) {
     const TeTerrainPatch& patch = found->second;
-    if (patch.hasHeights || patch.heightsJob || m_ticks < patch.retryTick)
+    if (patch.hasHeights || patch.heightsJob || waits(patch))
       return;
   }
   // A program may have built it by itself.
@@ -172,9 +174,10 @@ void TeTerrain::makePiece(const TePatchKey& owner, TeTerrainPiece piece) {
   if (found == m_patches.end())
     return;
   TeTerrainPatch::Piece& record = found->second[piece];
-  if (record.job || record.made || !tePieceAll(owner, piece, [this](const TePatchKey& key) {
-        return m_plan.drawable(key) && hasHeights(key);
-      }))
+  if (record.job || record.made ||
+      !tePieceAll(owner, piece,
+                  [this](const TePatchKey& key) { return m_plan.drawable(key) && hasHeights(key); }) ||
+      waits(found->second))
     return;
   const bool inBlock =
       tePieceAll(owner, piece, [this](const TePatchKey& key) { return m_plan.inBlock(key); });
@@ -209,8 +212,7 @@ void TeTerrain::finished(TeJob& job, TeProgress progress) {
     if (progress == TeProgress::Done) {
       gotHeights(heights->key());
     } else {
-      patch.retryTick = m_ticks + kRetryTicks;
-      m_events.push_back({Event::Kind::Failed, heights->key(), nullptr, heights->failure().message});
+      failed(heights->key(), patch, job);
     }
   } else if (auto* made = dynamic_cast<TePieceJob*>(&job)) {
     TeTerrainPatch& patch = m_patches[made->owner()];
@@ -223,10 +225,24 @@ void TeTerrain::finished(TeJob& job, TeProgress progress) {
         m_meshBytes += bytesOf(*piece.node);
       updatePatch(made->owner(), patch);
     } else {
-      patch.retryTick = m_ticks + kRetryTicks;
-      m_events.push_back({Event::Kind::Failed, made->owner(), nullptr, made->failure().message});
+      failed(made->owner(), patch, job);
     }
+  } else if (progress == TeProgress::Failed) { // one of the program's
+    m_events.push_back({Event::Kind::Failed, {}, nullptr, job.failure().message});
   }
+}
+
+bool TeTerrain::waits(const TeTerrainPatch& patch) {
+  if (m_ticks >= patch.retryTick)
+    return false;
+  m_retryTick = std::min(m_retryTick, patch.retryTick);
+  return true;
+}
+
+void TeTerrain::failed(const TePatchKey& key, TeTerrainPatch& patch, const TeJob& job) {
+  patch.retryTick = m_ticks + kRetryTicks;
+  m_retryTick = std::min(m_retryTick, patch.retryTick);
+  m_events.push_back({Event::Kind::Failed, key, nullptr, job.failure().message});
 }
 
 void TeTerrain::reviewJobs() {
@@ -387,8 +403,8 @@ bool TeTerrain::hasCandidates() const {
 }
 
 bool TeTerrain::idle() const {
-  return m_queue.empty() && !hasCandidates() && m_toShow.empty() && m_toDrop.empty() &&
-         !m_plan.pinsChanged() && !m_scene.drawing()->changesAnchor();
+  return m_queue.empty() && !hasCandidates() && m_toShow.empty() && m_toDrop.empty() && !m_plan.outdated() &&
+         !m_scene.drawing()->changesAnchor();
 }
 
 bool TeTerrain::complete(const TePatchKey& key) const {

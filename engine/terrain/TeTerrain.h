@@ -11,6 +11,7 @@
 
 #include <deque>
 #include <functional>
+#include <limits>
 #include <unordered_map>
 #include <vector>
 
@@ -28,7 +29,7 @@ public:
   /// cheap however many are missing.
   static constexpr std::array<std::size_t, kTeJobKinds> kQueued = {256, 48, 16, 0};
   static constexpr std::int64_t kBytesPerUnit = 1 << 16; ///< of uploads, where work is counted in units
-  static constexpr std::int64_t kRetryTicks = 100;       ///< after a patch could not be made
+  static constexpr std::int64_t kRetryTicks = 100;       ///< after a patch or a piece of it could not be made
 
   struct Event {
     enum class Kind { Ready, Dropped, Failed };
@@ -76,6 +77,7 @@ public:
 
 private:
   using Patches = std::unordered_map<TePatchKey, TeTerrainPatch, TePatchKeyHash>;
+  static constexpr std::int64_t kNever = std::numeric_limits<std::int64_t>::max();
   struct Shown {
     TeUrgency urgency;
     TePatchKey owner;
@@ -102,6 +104,9 @@ private:
   void gotHeights(const TePatchKey& key);
   void finished(TeJob& job, TeProgress progress);
   void makePiece(const TePatchKey& owner, TeTerrainPiece piece);
+  /// Whether it is too early for what has failed lately.
+  bool waits(const TeTerrainPatch& patch);
+  void failed(const TePatchKey& key, TeTerrainPatch& patch, const TeJob& job);
   void updateScene();
   void updatePatch(const TePatchKey& key, TeTerrainPatch& patch);
   void show(TeAllowance& allowance);
@@ -128,7 +133,8 @@ private:
   std::deque<TePatchKey> m_toDrop;
   std::int64_t m_unitBytes = 0; ///< of uploads that do not make a unit yet
   std::int64_t m_ticks = 0;
-  float m_lowest = 0; ///< of all patches ever known
+  std::int64_t m_retryTick = kNever; ///< when something that has failed is due again
+  float m_lowest = 0;                ///< of all patches ever known
   float m_highest = 0;
   bool m_changed = false;
   bool m_blockChanged = false;

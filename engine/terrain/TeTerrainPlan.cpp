@@ -3,8 +3,8 @@
 #include "engine/terrain/TeLookAhead.h"
 
 void TeTerrainPlan::setRadius(int radius) {
-  m_block.radius = radius;
-  m_known = false;
+  m_radius = radius;
+  m_radiusChanged = m_radius != m_block.radius;
 }
 
 void TeTerrainPlan::place(const TeObject& object, const TeLattice& lattice) {
@@ -18,17 +18,17 @@ void TeTerrainPlan::forget(const TeObject& object) {
 
 bool TeTerrainPlan::update(const TeLattice& lattice, const TeTerrainView& view) {
   const bool pinsChanged = std::exchange(m_pinsChanged, false);
-  m_blockChanged = m_jumped = false;
+  m_radiusChanged = m_blockChanged = m_jumped = false;
   const TeResult<TePatchKey> centre = tePatchAt(lattice, {view.position.x, view.position.y});
   if (!centre)
     return pinsChanged;
   std::vector<TePatchKey> centres =
       TeLookAhead::centres(lattice, glm::dvec2(view.position), glm::dvec2(view.velocity));
-  m_blockChanged = !m_known || *centre != m_block.centre;
+  const TePatchBlock next{*centre, m_radius};
+  m_blockChanged = !m_known || !(next == m_block);
   if (m_blockChanged) {
-    const std::int64_t reach = 2 * std::int64_t(m_block.radius);
-    m_jumped = m_known && !(TePatchBlock{*centre, int(reach)}.contains(m_block.centre));
-    m_block.centre = *centre;
+    m_jumped = m_known && !(TePatchBlock{*centre, m_radius + m_block.radius}.contains(m_block.centre));
+    m_block = next;
     m_known = true;
   }
   const bool changed = m_blockChanged || pinsChanged || centres != m_centres;

@@ -10,8 +10,8 @@
 /// soon, and the patches below objects.
 class TeTerrainPlan {
 public:
+  /// From the next update on.
   void setRadius(int radius);
-  int radius() const { return m_block.radius; }
 
   /// Finds what is wanted now. True if that has changed. Outside the world all stays as it was.
   bool update(const TeLattice& lattice, const TeTerrainView& view);
@@ -44,13 +44,17 @@ public:
   void forget(const TeObject& object);
   /// True if an object has moved to another patch since the last update.
   bool pinsChanged() const { return m_pinsChanged; }
+  /// True if an update is needed although nothing moves.
+  bool outdated() const { return m_pinsChanged || m_radiusChanged; }
 
 private:
   TePatchBlock m_block;
   std::vector<TePatchKey> m_centres; ///< of the blocks foreseen
   TeGroundPins m_pins;
+  int m_radius = 1; ///< of the next block
   bool m_pinsChanged = false;
-  bool m_known = false; ///< there was an update with this radius
+  bool m_radiusChanged = false;
+  bool m_known = false; ///< there was an update
   bool m_blockChanged = false;
   bool m_jumped = false;
 };

@@ -50,10 +50,15 @@ bool TeTerrainScene::follow(const glm::dvec3& eye, int reach) {
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
   };
   if (m_drawing->changesAnchor()) {
+    const TeMeshDrawing::Frame& frame = m_drawing->frame();
+    m_undrawn = frame.meshesDrawn + frame.meshesCulled > 0 ? 0 : m_undrawn + 1;
     if (m_drawing->nextAnchorReady())
       m_drawing->commitAnchor();
+    else if (m_undrawn >= kUndrawnTicks)
+      finishAnchor();
   } else if (distance(m_drawing->anchor(), eye) > side * std::max(kAnchorPatches, 4.0 * (reach + 2))) {
     m_drawing->beginAnchor(cornerNear(eye));
+    m_undrawn = 0;
   }
   const glm::dvec3 away = glm::abs(eye - m_origin);
   if (std::max({away.x, away.y, away.z}) <= side * kOriginPatches)

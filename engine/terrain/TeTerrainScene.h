@@ -22,6 +22,9 @@ public:
   /// Farthest that the eye may be from the origin and the anchor, in patches.
   static constexpr double kOriginPatches = 8;
   static constexpr double kAnchorPatches = 128;
+  /// Without a frame drawn in so many ticks nobody looks, and a change of the anchor need not wait for
+  /// frames.
+  static constexpr int kUndrawnTicks = 30;
 
   TeTerrainScene(const TeLattice& lattice, const glm::dvec3& eye);
 
@@ -29,7 +32,7 @@ public:
   const std::shared_ptr<TeMeshDrawing>& drawing() const { return m_drawing; }
   const glm::dvec3& origin() const { return m_origin; }
 
-  /// True if the origin has moved: everything placed relative to it has to be placed anew.
+  /// Once a tick. True if the origin has moved: everything placed relative to it has to be placed anew.
   /// `reach`: the terrain's half side in patches.
   bool follow(const glm::dvec3& eye, int reach);
   /// Moves everything at once, after a jump.
@@ -47,6 +50,7 @@ private:
 
   TeLattice m_lattice;
   glm::dvec3 m_origin{0};
+  int m_undrawn = 0; ///< ticks since a frame was drawn, while the anchor changes
   std::shared_ptr<TeMeshDrawing> m_drawing;
   TeNodePtr<SoSeparator> m_root;
   TeNodePtr<SoDrawStyle> m_style;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace {
 
@@ -300,6 +301,17 @@ TEST(TeEngineRuntime, APatchThatCannotBeMadeIsReportedAndTheRestIsThere) {
   EXPECT_TRUE(world.engine.isIdle());
 }
 
+TEST(TeEngineRuntime, WhatCouldNotBeMadeIsTriedAgainAfterAWhile) {
+  TeEndlessWorld world;
+  ASSERT_TRUE(world.engine.setGenerator(std::make_unique<BrokenGenerator>()));
+  int errors = 0;
+  world.engine.setErrorCallback([&](const std::string&) { ++errors; });
+  ASSERT_TRUE(world.engine.initialize());
+  for (int i = 0; i < int(5.5 * TeTerrain::kRetryTicks); ++i)
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_EQ(errors, 6) << "at the first tick, and at every retry since";
+}
+
 TEST(TeEngineRuntime, FlyingForLongMemoryStaysFlat) {
   TeEndlessWorld world;
   EXPECT_TRUE(world.object->setVelocity({0, 320, 0}));
@@ -317,6 +329,174 @@ TEST(TeEngineRuntime, FlyingForLongMemoryStaysFlat) {
   }
   EXPECT_EQ(peak(), full);
   EXPECT_EQ(world.statistics().framesWithoutGround, 0);
+}
+
+TEST(TeEngineRuntime, AnEngineThatCannotStartLeavesTheSceneAsItWasAndMayStartLater) {
+  TeEndlessWorld world;
+  const int children = world.scene->getNumChildren();
+  ASSERT_TRUE(world.object->setPosition({1e300, 0, 50}));
+  EXPECT_FALSE(world.engine.initialize());
+  EXPECT_EQ(world.scene->getNumChildren(), children);
+  ASSERT_TRUE(world.object->setPosition({0, 0, 50}));
+  EXPECT_TRUE(world.engine.initialize()) << world.engine.lastError();
+  world.scene->removeAllChildren(); // the engine's nodes, too
+}
+
+TEST(TeEngineRuntime, AnEngineThatGoesTakesItsNodesOutOfTheScene) {
+  TeNodePtr<SoSeparator> scene;
+  TeNodePtr<SoSeparator> hud;
+  {
+    TeEndlessWorld world;
+    scene = world.scene;
+    hud = TeNodePtr<SoSeparator>(new SoSeparator);
+    world.engine.setHudRoot(hud.get());
+    world.engine.setHudCamera(new SoOrthographicCamera);
+    ASSERT_TRUE(world.engine.initialize());
+    EXPECT_EQ(hud->getNumChildren(), 2);
+    EXPECT_EQ(scene->getNumChildren(), 3);
+  }
+  EXPECT_EQ(hud->getNumChildren(), 1) << "the camera";
+  EXPECT_EQ(scene->getNumChildren(), 1);
+}
+
+TEST(TeEngineRuntime, AnIdleEngineNoticesAnotherRadius) {
+  TeEndlessWorld world;
+  ASSERT_TRUE(world.engine.initialize());
+  for (int i = 0; i < 100; ++i)
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+  ASSERT_TRUE(world.engine.isIdle());
+  ASSERT_TRUE(world.engine.setRadius(2));
+  EXPECT_FALSE(world.engine.isIdle());
+  for (int i = 0; i < 1000 && !world.engine.isIdle(); ++i)
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_EQ(world.statistics().patches.drawn, 25);
+  ASSERT_TRUE(world.engine.setRadius(1));
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_EQ(patchesOf(world)->getNumChildren(), 9);
+}
+
+TEST(TeEngineRuntime, FinishingMakesWhatWasAskedForSinceTheLastTick) {
+  TeEndlessWorld world;
+  ASSERT_TRUE(world.engine.initialize());
+  const TePatchDatabase& terrain = *world.engine.getDatabase();
+  auto other = std::make_unique<TeProbe>("other");
+  ASSERT_TRUE(other->setPosition({1e5, 0, 0}));
+  world.engine.addObject(std::move(other));
+  ASSERT_TRUE(world.engine.setRadius(2));
+  world.engine.finishJobs();
+  EXPECT_EQ(world.statistics().patches.drawn, 25);
+  EXPECT_TRUE(terrain.heightAt({1e5, 0}));
+  ASSERT_TRUE(world.object->setPosition({-1e6, 0, 50}));
+  world.engine.finishJobs();
+  EXPECT_TRUE(terrain.heightAt({-1e6, 0}));
+  EXPECT_FALSE(terrain.heightAt({0, 0}));
+  EXPECT_EQ(world.statistics().patches.drawn, 25);
+}
+
+TEST(TeEngineRuntime, WithoutAFrameDrawnATickerFarAwayComesToRest) {
+  TeEndlessWorld world;
+  world.engine.setUnitBudget(500);
+  ASSERT_TRUE(world.engine.initialize());
+  ASSERT_TRUE(world.object->setVelocity({0, 1000, 0})); // without a jump, past the anchor's reach
+  for (int i = 0; i < 300; ++i)
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+  ASSERT_TRUE(world.object->setVelocity({0, 0, 0}));
+  for (int i = 0; i < 200 && !world.engine.isIdle(); ++i)
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_TRUE(world.engine.isIdle());
+}
+
+TEST(TeEngineRuntime, EventsComeInTheirOrderWhateverCallBacksDo) {
+  TeEndlessWorld world;
+  std::set<TePatchKey> known;
+  bool finished = false;
+  world.engine.setPatchReadyCallback([&](const TePatchKey& key, SoGroup*) {
+    EXPECT_TRUE(known.insert(key).second) << key.text();
+    if (known.size() == 2 && !std::exchange(finished, true)) {
+      EXPECT_TRUE(world.object->setPosition({1e5, 0, 50}));
+      world.engine.finishJobs();
+    }
+  });
+  world.engine.setPatchDroppedCallback(
+      [&](const TePatchKey& key, SoGroup*) { EXPECT_EQ(known.erase(key), 1u) << key.text(); });
+  ASSERT_TRUE(world.engine.initialize());
+  world.engine.finishJobs();
+  EXPECT_TRUE(finished);
+  EXPECT_EQ(std::int64_t(known.size()), world.statistics().patches.resident);
+}
+
+TEST(TeEngineRuntime, ACallBackMayReplaceItself) {
+  TeEndlessWorld world;
+  const std::string words = "what the call-back holds, longer than a string keeps in itself";
+  std::string heard;
+  world.engine.setPatchReadyCallback([&world, &heard, words](const TePatchKey&, SoGroup*) {
+    world.engine.setPatchReadyCallback(nullptr);
+    heard += words;
+  });
+  ASSERT_TRUE(world.engine.initialize());
+  world.engine.finishJobs();
+  EXPECT_EQ(heard, words);
+}
+
+TEST(TeEngineRuntime, ATickWithinATickIsAnError) {
+  TeEndlessWorld world;
+  int calls = 0;
+  world.engine.setKeyCallback([&](const TeKeyEvent&) {
+    ++calls;
+    world.engine.postKey({SoKeyboardEvent::Z, true});
+    EXPECT_FALSE(world.engine.timeTick(kDt));
+    return true;
+  });
+  world.engine.setCollisionHook([&](double) { EXPECT_FALSE(world.engine.timeTick(kDt)); });
+  ASSERT_TRUE(world.object->setVelocity({1, 0, 0}));
+  ASSERT_TRUE(world.engine.initialize());
+  world.engine.postKey({SoKeyboardEvent::T, true});
+  world.engine.postKey({SoKeyboardEvent::Y, true});
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_EQ(calls, 2);
+  EXPECT_EQ(world.statistics().ticks, 1);
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_EQ(calls, 3);
+}
+
+TEST(TeEngineRuntime, AProgramsJobThatFailsIsReported) {
+  class FailingJob final : public TeJob {
+  public:
+    FailingJob() : TeJob(TeJobKind::Other, {}) {}
+    TeProgress step(TeAllowance&) override { return TeProgress::Failed; }
+    TeJobState state() const override { return TeJobState::Waiting; }
+    const TeError& error() const override { return m_error; }
+
+  private:
+    TeError m_error{"no trees here"};
+  };
+  TeEndlessWorld world;
+  EXPECT_FALSE(world.engine.addJob(std::make_unique<FailingJob>())) << "before initialize()";
+  std::vector<std::string> errors;
+  world.engine.setErrorCallback([&](const std::string& message) { errors.push_back(message); });
+  ASSERT_TRUE(world.engine.initialize());
+  EXPECT_FALSE(world.engine.addJob(nullptr));
+  EXPECT_TRUE(world.engine.addJob(std::make_unique<FailingJob>()));
+  world.engine.finishJobs();
+  EXPECT_EQ(errors, std::vector<std::string>{"no trees here"});
+}
+
+TEST(TeEngineRuntime, TheHudOfAnEngineAtRestShowsItsState) {
+  TeEndlessWorld world;
+  TeNodePtr<SoSeparator> hud(new SoSeparator);
+  world.engine.setHudRoot(hud.get());
+  world.engine.setHudCamera(new SoOrthographicCamera);
+  ASSERT_TRUE(world.engine.initialize());
+  for (int i = 0; i < 1000 && !world.engine.isIdle(); ++i)
+    ASSERT_TRUE(world.engine.timeTick(kDt));
+  ASSERT_TRUE(world.object->setPosition({7.5, 0, 50}));
+  for (int i = 0; i < 1000 && !world.engine.isIdle(); ++i)
+    ASSERT_TRUE(world.engine.timeTick(1e-3));
+  std::string lines;
+  for (const std::string& line : world.engine.getHud().lines())
+    lines += line + "\n";
+  EXPECT_NE(lines.find("position  7.5"), std::string::npos) << lines;
+  EXPECT_NE(lines.find("9 of 9"), std::string::npos) << lines;
 }
 
 } // namespace

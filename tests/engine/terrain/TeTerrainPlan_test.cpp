@@ -101,4 +101,21 @@ TEST(TeTerrainPlan, OutsideTheWorldTheLastBlockStays) {
   EXPECT_EQ(plan.block().centre, (TePatchKey{10, 0, 0}));
 }
 
+TEST(TeTerrainPlan, AnotherRadiusHoldsFromTheNextUpdateInTheWorld) {
+  TeTerrainPlan plan;
+  plan.setRadius(1);
+  plan.update(kLattice, viewAt(0, 0));
+  plan.setRadius(3);
+  EXPECT_EQ(plan.block().radius, 1);
+  EXPECT_FALSE(plan.update(kLattice, viewAt(1e300, 0)));
+  EXPECT_EQ(plan.block().radius, 1);
+  EXPECT_TRUE(plan.update(kLattice, viewAt(0, 0)));
+  EXPECT_TRUE(plan.blockChanged());
+  EXPECT_FALSE(plan.jumped());
+  EXPECT_EQ(plan.block().radius, 3);
+  plan.setRadius(2);
+  plan.update(kLattice, viewAt(3200, 0));
+  EXPECT_TRUE(plan.jumped()) << "with another radius, too";
+}
+
 } // namespace
