@@ -182,7 +182,10 @@ void TeEngineRuntime::handleKeys() {
 
 void TeEngineRuntime::handleKey(const TeKeyEvent& event) {
   m_hudIsOld = true;
-  if (m_settings.active->handleEvent(event) || m_rig.handleEvent(event))
+  const bool meant = m_settings.active->handleEvent(event);
+  // The rig hears of all releases: a key may have gone down for it while another object was active.
+  const bool meantForRig = (!meant || !event.down) && m_rig.handleEvent(event);
+  if (meant || meantForRig)
     return;
   if (event.down) {
     switch (event.key) {

@@ -6,6 +6,7 @@
 
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <glm/mat3x3.hpp>
 
@@ -42,6 +43,7 @@ bool isMoveKey(Key key) {
 
 constexpr double kTilt = 0.12;        ///< of the third person's look, down for each metre ahead
 constexpr double kLevelEnough = 1e-3; ///< least level part of a forward direction that gives a heading
+constexpr double kFarthest = 1e30;    ///< from the origin, metres, so that floats stay finite
 constexpr double kHalfTurn = 0.70710678118654752; ///< cosine and sine of half of 90°
 
 /// From the camera's frame (looking along -z, y up) into an object's (looking along y, z up).
@@ -127,7 +129,7 @@ void TeCameraRig::followThird(const TeObject& object, const TePatchDatabase& ter
 
 void TeCameraRig::apply(SoPerspectiveCamera& camera, const glm::dvec3& worldOrigin,
                         const TeClipRange& range) const {
-  const glm::dvec3 relative = m_eye - worldOrigin;
+  const glm::dvec3 relative = glm::clamp(m_eye - worldOrigin, -kFarthest, kFarthest);
   const SbVec3f position(float(relative.x), float(relative.y), float(relative.z));
   if (camera.position.getValue() != position)
     camera.position = position;

@@ -4,6 +4,14 @@
 
 #include <Inventor/nodes/SoSeparator.h>
 
+#include <glm/common.hpp>
+
+namespace {
+
+constexpr double kFarthest = 1e30; ///< metres, so that floats stay finite
+
+} // namespace
+
 TeObjectScene::TeObjectScene() : m_root(new SoGroup) { m_root->setName("TerraneObjects"); }
 
 void TeObjectScene::add(TeObject& object, const glm::dvec3& origin) {
@@ -36,7 +44,7 @@ bool TeObjectScene::place(const TeObject& object, const glm::dvec3& origin) {
   if (found == m_models.end())
     return false;
   SoTransform& transform = *found->second.transform;
-  const glm::vec3 place(object.position() - origin);
+  const glm::vec3 place(glm::clamp(object.position() - origin, -kFarthest, kFarthest));
   const SbVec3f translation(place.x, place.y, place.z);
   const glm::quat turn(object.orientation());
   const SbRotation rotation(turn.x, turn.y, turn.z, turn.w);

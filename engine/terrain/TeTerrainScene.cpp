@@ -30,7 +30,7 @@ glm::dvec2 TeTerrainScene::cornerNear(const glm::dvec3& point) const {
 
 void TeTerrainScene::setOrigin(const glm::dvec3& eye) {
   const glm::dvec2 corner = cornerNear(eye);
-  m_origin = {corner.x, corner.y, std::floor(eye.z)};
+  m_origin = {corner.x, corner.y, std::clamp(std::floor(eye.z), -kHighest, kHighest)};
   m_drawing->setWorldOrigin(m_origin);
 }
 
@@ -46,6 +46,7 @@ void TeTerrainScene::finishAnchor() {
 
 bool TeTerrainScene::follow(const glm::dvec3& eye, int reach) {
   const double side = m_lattice.patchSide();
+  const bool inWorld(tePatchAt(m_lattice, {eye.x, eye.y}));
   const auto distance = [](const glm::dvec2& a, const glm::dvec3& b) {
     return std::max(std::abs(a.x - b.x), std::abs(a.y - b.y));
   };
@@ -56,10 +57,13 @@ bool TeTerrainScene::follow(const glm::dvec3& eye, int reach) {
       m_drawing->commitAnchor();
     else if (m_undrawn >= kUndrawnTicks)
       finishAnchor();
-  } else if (distance(m_drawing->anchor(), eye) > side * std::max(kAnchorPatches, 4.0 * (reach + 2))) {
+  } else if (inWorld &&
+             distance(m_drawing->anchor(), eye) > side * std::max(kAnchorPatches, 4.0 * (reach + 2))) {
     m_drawing->beginAnchor(cornerNear(eye));
     m_undrawn = 0;
   }
+  if (!inWorld)
+    return false;
   const glm::dvec3 away = glm::abs(eye - m_origin);
   if (std::max({away.x, away.y, away.z}) <= side * kOriginPatches)
     return false;

@@ -22,6 +22,7 @@ public:
   /// Farthest that the eye may be from the origin and the anchor, in patches.
   static constexpr double kOriginPatches = 8;
   static constexpr double kAnchorPatches = 128;
+  static constexpr double kHighest = 1e30; ///< of the origin, metres, so that floats stay finite
   /// Without a frame drawn in so many ticks nobody looks, and a change of the anchor need not wait for
   /// frames.
   static constexpr int kUndrawnTicks = 30;
@@ -32,8 +33,8 @@ public:
   const std::shared_ptr<TeMeshDrawing>& drawing() const { return m_drawing; }
   const glm::dvec3& origin() const { return m_origin; }
 
-  /// Once a tick. True if the origin has moved: everything placed relative to it has to be placed anew.
-  /// `reach`: the terrain's half side in patches.
+  /// Once a tick; outside the world all stays where it is. True if the origin has moved: everything placed
+  /// relative to it has to be placed anew. `reach`: the terrain's half side in patches.
   bool follow(const glm::dvec3& eye, int reach);
   /// Moves everything at once, after a jump.
   void jump(const glm::dvec3& eye);

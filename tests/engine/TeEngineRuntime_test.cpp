@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <Inventor/nodes/SoTranslation.h>
+
 #include <cmath>
 #include <limits>
 #include <set>
@@ -357,6 +359,50 @@ TEST(TeEngineRuntime, AnEngineThatGoesTakesItsNodesOutOfTheScene) {
   }
   EXPECT_EQ(hud->getNumChildren(), 1) << "the camera";
   EXPECT_EQ(scene->getNumChildren(), 1);
+}
+
+TEST(TeEngineRuntime, OutsideTheWorldTheSceneStaysFiniteAndTheWayBackIsOpen) {
+  TeEndlessWorld world;
+  ASSERT_TRUE(world.engine.initialize());
+  world.engine.finishJobs();
+  const auto isFinite = [](const SbVec3f& v) {
+    return std::isfinite(v[0]) && std::isfinite(v[1]) && std::isfinite(v[2]);
+  };
+  const auto* camera = static_cast<SoPerspectiveCamera*>(world.scene->getChild(0));
+  const auto* terrain = static_cast<SoGroup*>(world.scene->getChild(1));
+  const auto* translation = static_cast<SoTranslation*>(terrain->getChild(0));
+  for (const glm::dvec3& place : {glm::dvec3(1e300, 0, 50), {0, 0, 1e300}, {-1e30, 1e200, -1e300}}) {
+    ASSERT_TRUE(world.object->setPosition(place));
+    for (int i = 0; i < 3; ++i)
+      ASSERT_TRUE(world.engine.timeTick(kDt));
+    EXPECT_TRUE(isFinite(camera->position.getValue())) << place.x;
+    EXPECT_TRUE(std::isfinite(camera->farDistance.getValue())) << place.x;
+    EXPECT_TRUE(isFinite(translation->translation.getValue())) << place.x;
+    EXPECT_TRUE(world.engine.isIdle());
+  }
+  ASSERT_TRUE(world.object->setPosition({0, 0, 50}));
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_TRUE(world.engine.isIdle());
+  EXPECT_LT(translation->translation.getValue().length(), 1000);
+  EXPECT_LT(camera->position.getValue().length(), 1000);
+}
+
+TEST(TeEngineRuntime, AKeyOfTheCameraIsReleasedThoughTheNextActiveObjectUsesItToo) {
+  class Greedy final : public TeObject {
+  public:
+    Greedy() : TeObject("greedy") {}
+    bool handleEvent(const TeKeyEvent&) override { return true; }
+  };
+  TeEndlessWorld world;
+  TeObject* greedy = world.engine.addObject(std::make_unique<Greedy>());
+  ASSERT_TRUE(world.engine.initialize());
+  world.engine.postKey({SoKeyboardEvent::I, true});
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_TRUE(world.engine.getCameraRig().moving());
+  ASSERT_TRUE(world.engine.setActiveObject(greedy));
+  world.engine.postKey({SoKeyboardEvent::I, false});
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  EXPECT_FALSE(world.engine.getCameraRig().moving());
 }
 
 TEST(TeEngineRuntime, AnIdleEngineNoticesAnotherRadius) {
