@@ -130,7 +130,7 @@ public:
   /// Of terrain made from now on; by default rock and snow lines that suit the world. At any time.
   void setColours(const TeSurfaceColours& colours);
 
-  /// Checks that everything is there and that it fits together, builds the patch below the active object, and
+  /// Checks that everything is there and that it fits together, builds the patches below all objects, and
   /// fills the scene roots. FALSE: lastError() says all that is missing.
   SbBool initialize();
   SbBool isInitialized() const { return m_runtime != nullptr; }

@@ -85,6 +85,7 @@ TeStatus TeEngineRuntime::start() {
       return ok;
   for (const auto& object : m_objects.all())
     addObject(*object);
+  m_terrain.buildGround();
   m_statistics.budgetSeconds = m_settings.budget.budget();
   followObject(0);
   m_scene.jump(m_rig.eye());
@@ -105,7 +106,7 @@ void TeEngineRuntime::setWireframe(bool wireframe) {
 
 void TeEngineRuntime::addObject(TeObject& object) {
   m_objectScene.add(object, m_scene.origin());
-  m_terrain.place(object);
+  m_terrain.place(object, &object == m_settings.active);
   m_changed = true;
 }
 
@@ -223,7 +224,7 @@ void TeEngineRuntime::simulate(double dt) {
   for (const std::string& message : done->errors)
     call(m_settings.error, message);
   for (const TeObject* object : m_objects.touched()) {
-    m_terrain.place(*object);
+    m_terrain.place(*object, object == m_settings.active);
     m_changed = m_objectScene.place(*object, m_scene.origin()) || m_changed;
   }
   if (m_settings.collisions && done->simulated > 0 && !m_objects.touched().empty()) {
@@ -234,7 +235,7 @@ void TeEngineRuntime::simulate(double dt) {
 
 void TeEngineRuntime::placeObjects() {
   for (const TeObject* object : m_objects.awake()) {
-    m_terrain.place(*object);
+    m_terrain.place(*object, object == m_settings.active);
     m_changed = m_objectScene.place(*object, m_scene.origin()) || m_changed;
   }
 }

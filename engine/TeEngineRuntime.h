@@ -23,7 +23,7 @@ public:
   TeEngineRuntime(const TeEngineRuntime&) = delete;
   TeEngineRuntime& operator=(const TeEngineRuntime&) = delete;
 
-  /// Builds the patch below the active object and fills the scene. Error: it cannot be built.
+  /// Builds the patches below all objects and fills the scene. Error: that of the active one cannot be built.
   TeStatus start();
   /// Error, and nothing done: dt is negative or not finite, or a call-back within a tick calls it.
   TeStatus tick(double dt);

@@ -4,20 +4,22 @@
 
 #include <glm/vec3.hpp>
 
-#include <array>
-#include <optional>
 #include <unordered_map>
+#include <vector>
 
 class TeObject;
 
-/// The patches below objects (all that they stand on, TeObject::groundReach()), and where these will be in
-/// kSeconds: each is wanted as long as an object is over it. Costs nothing for objects that do not move.
+/// The patches below objects (all that they stand on, TeObject::groundReach()), and those on the way of the
+/// next kSeconds, at most kPatchesAhead: each is wanted as long as an object needs it. Costs nothing for
+/// objects that do not move.
 class TeGroundPins {
 public:
   static constexpr double kSeconds = 1;
+  static constexpr int kPatchesAhead = 8;
 
-  /// True if the object is over other patches than before, or none (outside the world).
-  bool place(const TeObject& object, const TeLattice& lattice);
+  /// True if the object needs other patches than before, or none (outside the world). `ahead`: also those on
+  /// its way.
+  bool place(const TeObject& object, const TeLattice& lattice, bool ahead = true);
   void remove(const TeObject& object);
 
   bool holds(const TePatchKey& key) const { return m_counts.count(key) > 0; }
@@ -28,11 +30,12 @@ public:
   }
 
 private:
-  /// Now and soon, at the corners of what it reaches; a patch counts once for each corner.
-  using Place = std::array<std::optional<TePatchKey>, 8>;
+  using Place = std::vector<TePatchKey>; ///< sorted, each once
+  void findPlace(const TeObject& object, const TeLattice& lattice, bool ahead);
   void hold(const Place& place);
   void release(const Place& place);
 
+  Place m_found; ///< by findPlace()
   std::unordered_map<const TeObject*, Place> m_places;
   std::unordered_map<TePatchKey, int, TePatchKeyHash> m_counts;
 };

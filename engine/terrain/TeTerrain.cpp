@@ -46,6 +46,14 @@ TeStatus TeTerrain::build(const TePatchKey& key) {
   return {};
 }
 
+void TeTerrain::buildGround() {
+  std::vector<TePatchKey> keys;
+  m_plan.pins().forEach([&keys](const TePatchKey& key) { keys.push_back(key); });
+  std::sort(keys.begin(), keys.end());
+  for (const TePatchKey& key : keys)
+    static_cast<void>(build(key));
+}
+
 bool TeTerrain::hasHeights(const TePatchKey& key) const {
   const auto found = m_patches.find(key);
   return found != m_patches.end() && found->second.hasHeights;

@@ -50,12 +50,15 @@ public:
   /// For pieces made from now on.
   void setColours(const TeSurfaceColours& colours) { m_colours = colours; }
 
-  /// The patch below an object is wanted from now on, wherever it is.
-  void place(const TeObject& object) { m_plan.place(object, m_database.lattice()); }
+  /// The patch below an object is wanted from now on, wherever it is. `active`: see TeTerrainPlan.
+  void place(const TeObject& object, bool active) { m_plan.place(object, m_database.lattice(), active); }
   void forget(const TeObject& object) { m_plan.forget(object); }
 
   /// Makes a patch known at once.
   TeStatus build(const TePatchKey& key);
+  /// The same for the patches below all objects, so that what these do does not depend on the budget from the
+  /// start. Those that cannot be made are left to be tried, and reported, by jobs.
+  void buildGround();
   /// Finds what is wanted for this view; changes jobs and scene where that has changed. True if the whole
   /// block was left behind.
   bool follow(const TeTerrainView& view);

@@ -7,8 +7,8 @@ void TeTerrainPlan::setRadius(int radius) {
   m_radiusChanged = m_radius != m_block.radius;
 }
 
-void TeTerrainPlan::place(const TeObject& object, const TeLattice& lattice) {
-  m_pinsChanged = m_pins.place(object, lattice) || m_pinsChanged;
+void TeTerrainPlan::place(const TeObject& object, const TeLattice& lattice, bool active) {
+  m_pinsChanged = m_pins.place(object, lattice, !active) || m_pinsChanged;
 }
 
 void TeTerrainPlan::forget(const TeObject& object) {

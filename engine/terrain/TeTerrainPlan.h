@@ -40,7 +40,8 @@ public:
   }
 
   const TeGroundPins& pins() const { return m_pins; }
-  void place(const TeObject& object, const TeLattice& lattice);
+  /// `active`: the object around which the block lies, whose way is foreseen in blocks.
+  void place(const TeObject& object, const TeLattice& lattice, bool active = false);
   void forget(const TeObject& object);
   /// True if an object has moved to another patch since the last update.
   bool pinsChanged() const { return m_pinsChanged; }

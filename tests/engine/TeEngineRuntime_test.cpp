@@ -1,5 +1,7 @@
 #include "engine/TeEngineRuntime.h"
 
+#include "engine/objects/TeAircraft.h"
+#include "generators/base/TeHash.h"
 #include "tests/engine/TeEndlessWorld.h"
 
 #include <gtest/gtest.h>
@@ -79,6 +81,17 @@ TEST(TeEngineRuntime, TheGroundIsKnownAtOnceAndTheBlockSoon) {
   EXPECT_EQ(world.statistics().patches.missing, 0);
   EXPECT_EQ(patchesOf(world)->getNumChildren(), 9);
   EXPECT_EQ(piecesOf(world), 9 + 12 + 4) << "insides, seams, corner squares";
+}
+
+TEST(TeEngineRuntime, AtTheStartTheGroundBelowEveryObjectIsKnown) {
+  TeEndlessWorld world;
+  world.engine.setUnitBudget(1);
+  std::vector<double> places = {5e3, -7e4, 1e9};
+  for (const double x : places)
+    ASSERT_TRUE(world.engine.addObject(std::make_unique<TeProbe>("other"))->setPosition({x, x, 0}));
+  ASSERT_TRUE(world.engine.initialize());
+  for (const double x : places)
+    EXPECT_TRUE(world.engine.getDatabase()->heightAt({x, x})) << x;
 }
 
 TEST(TeEngineRuntime, OnCrossingThePatchBelowBecomesTheMiddle) {
@@ -185,6 +198,29 @@ TEST(TeEngineRuntime, WhatIsMadeDoesNotDependOnBudgetOrWorkers) {
       EXPECT_EQ(world.statistics().patches.missing, 0);
     }
   }
+  EXPECT_EQ(hashes.size(), 1u);
+}
+
+TEST(TeEngineRuntime, WhatLowFlyersDoDoesNotDependOnBudgetOrWorkers) {
+  std::set<std::uint64_t> hashes;
+  for (const int workers : {0, 2})
+    for (const int units : {12, 1000}) {
+      TeEndlessWorld world(65, 64);
+      world.engine.setWorkers(workers);
+      world.engine.setUnitBudget(units);
+      EXPECT_TRUE(world.object->setVelocity({-40, 40, 0}));
+      TeObject* other = world.engine.addObject(std::make_unique<TeAircraft>("other"));
+      EXPECT_TRUE(other->setPosition({-400, 0, -1000})) << "it is lifted to its clearance above the ground";
+      EXPECT_TRUE(other->setVelocity({10, 60, 0}));
+      ASSERT_TRUE(world.engine.initialize());
+      std::uint64_t hash = 0;
+      for (int i = 0; i < 150; ++i) {
+        ASSERT_TRUE(world.engine.timeTick(kDt));
+        hash = teHashCombine(hash, world.engine.stateHash());
+      }
+      EXPECT_GT(other->position().z, -100);
+      hashes.insert(hash);
+    }
   EXPECT_EQ(hashes.size(), 1u);
 }
 

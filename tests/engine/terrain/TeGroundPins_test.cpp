@@ -37,6 +37,7 @@ TEST(TeGroundPins, AMovingObjectHoldsThePatchThatItWillBeOver) {
   ASSERT_TRUE(thing.setVelocity({0, 60, 0}));
   pins.place(thing, kLattice);
   EXPECT_TRUE(pins.holds({0, 0, 0}));
+  EXPECT_TRUE(pins.holds({0, 1, 0})) << "on the way";
   EXPECT_TRUE(pins.holds({0, 2, 0}));
 }
 
@@ -59,6 +60,19 @@ TEST(TeGroundPins, AllPatchesThatAnObjectStandsOnAreHeld) {
   EXPECT_TRUE(pins.holds({0, -1, 0}));
   pins.remove(wide);
   EXPECT_FALSE(pins.holds({0, 0, 0}));
+}
+
+TEST(TeGroundPins, HoweverFastItHoldsFewPatches) {
+  TeGroundPins pins;
+  Thing thing;
+  for (const double speed : {1e3, 1e9, 1e200}) {
+    ASSERT_TRUE(thing.setVelocity({speed, 0, 0}));
+    pins.place(thing, kLattice);
+    int held = 0;
+    pins.forEach([&held](const TePatchKey&) { ++held; });
+    EXPECT_GE(held, 1) << speed;
+    EXPECT_LE(held, 2 * TeGroundPins::kPatchesAhead + 1) << speed;
+  }
 }
 
 TEST(TeGroundPins, OutsideTheWorldNothingIsHeld) {
