@@ -118,7 +118,8 @@ public:
 
   /// The block has (2r + 1)² patches; 1 .. kMaxRadius, by default 1. At any time.
   SbBool setRadius(int radius);
-  /// CPU seconds that a tick may spend, more than 0 and at most 1; kDefaultBudget by default. At any time.
+  /// CPU seconds that a tick may spend, more than 0 and at most 1; kDefaultBudget by default. With a frame
+  /// rate it is where the budget begins. At any time.
   SbBool setBudget(double seconds);
   /// Units of work a tick instead of time, so that runs repeat to the bit; 0 = time. At any time.
   SbBool setUnitBudget(int units);

@@ -108,6 +108,8 @@ void TeCameraRig::follow(const TeObject& object, const TePatchDatabase& terrain)
     followFirst(object);
   else
     followThird(object, terrain);
+  if (!(glm::length(m_eye - object.position()) < kFarthest)) // an offset of the object's class is not finite
+    m_eye = object.position();
   m_objectDistance = glm::length(m_eye - object.position());
   const std::optional<double> ground = terrain.heightAt({m_eye.x, m_eye.y});
   m_heightAboveGround = ground ? m_eye.z - *ground : std::numeric_limits<double>::quiet_NaN();

@@ -43,9 +43,8 @@ public:
   /// `active`: the object around which the block lies, whose way is foreseen in blocks.
   void place(const TeObject& object, const TeLattice& lattice, bool active = false);
   void forget(const TeObject& object);
-  /// True if an object has moved to another patch since the last update.
-  bool pinsChanged() const { return m_pinsChanged; }
-  /// True if an update is needed although nothing moves.
+  /// True if an update is due though the view may be as before: an object is over other patches, or the
+  /// radius is another.
   bool outdated() const { return m_pinsChanged || m_radiusChanged; }
 
 private:

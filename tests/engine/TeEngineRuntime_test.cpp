@@ -423,6 +423,23 @@ TEST(TeEngineRuntime, OutsideTheWorldTheSceneStaysFiniteAndTheWayBackIsOpen) {
   EXPECT_LT(camera->position.getValue().length(), 1000);
 }
 
+TEST(TeEngineRuntime, AnObjectWithoutAFiniteOffsetIsSeenFromItsPlace) {
+  class Odd final : public TeObject {
+  public:
+    Odd() : TeObject("odd") {}
+    glm::dvec3 thirdPersonOffset() const override { return {0, std::nan(""), 4}; }
+  };
+  TeEndlessWorld world;
+  TeObject* odd = world.engine.addObject(std::make_unique<Odd>());
+  ASSERT_TRUE(odd->setPosition({1e5, 0, 60}));
+  ASSERT_TRUE(world.engine.initialize());
+  ASSERT_TRUE(world.engine.setActiveObject(odd));
+  ASSERT_TRUE(world.engine.timeTick(kDt));
+  world.engine.finishJobs();
+  EXPECT_EQ(world.engine.getCameraRig().eye(), odd->position());
+  EXPECT_EQ(world.statistics().patches.drawn, 9);
+}
+
 TEST(TeEngineRuntime, AKeyOfTheCameraIsReleasedThoughTheNextActiveObjectUsesItToo) {
   class Greedy final : public TeObject {
   public:

@@ -85,7 +85,7 @@ TEST(TeTerrainPlan, ObjectsWantThePatchesBelowThemWithoutDrawing) {
   TeTerrainPlan plan;
   plan.update(kLattice, viewAt(0, 0));
   plan.place(thing, kLattice);
-  EXPECT_TRUE(plan.pinsChanged());
+  EXPECT_TRUE(plan.outdated());
   EXPECT_TRUE(plan.update(kLattice, viewAt(0, 0)));
   EXPECT_TRUE(plan.wanted({100, 0, 0}));
   EXPECT_FALSE(plan.drawable({100, 0, 0}));
