@@ -9,6 +9,7 @@
 #include <Inventor/actions/SoSearchAction.h>
 
 #include <cmath>
+#include <utility>
 
 namespace {
 
@@ -87,15 +88,30 @@ SbBool TeEngine::setGenerator(std::unique_ptr<TeGenerator> generator) {
 }
 
 SbBool TeEngine::updateParams() {
+  const TeStatus ok = takeParams();
+  return ok ? TRUE : fail(ok.error());
+}
+
+TeStatus TeEngine::takeParams() {
   if (const TeStatus ok = m_generator->updateParams(); !ok)
-    return fail(ok.error());
+    return ok;
   const TeHeightSourcePtr source = m_generator->source();
   if (source->fingerprint() == m_source->fingerprint())
-    return TRUE;
+    return {};
   if (const TeStatus ok = m_database->setSources(std::make_shared<TeSingleSource>(source)); !ok)
-    return fail(ok.error());
+    return ok;
   m_source = source;
-  return TRUE;
+  return {};
+}
+
+void TeEngine::takeParamsForTick() {
+  const TeStatus ok = takeParams();
+  const std::string fault = ok ? "" : ok.error().message;
+  if (fault == std::exchange(m_paramsFault, fault) || ok)
+    return;
+  fail(ok.error());
+  if (const ErrorCallback callback = m_settings.error)
+    callback(fault);
 }
 
 SbBool TeEngine::createDatabase() {
@@ -308,8 +324,7 @@ SbBool TeEngine::initialize() {
 SbBool TeEngine::timeTick(double dt) {
   if (!m_runtime)
     return fail({"TeEngine: timeTick() needs initialize() first"});
-  if (!updateParams())
-    return FALSE;
+  takeParamsForTick();
   const TeStatus ok = m_runtime->tick(dt);
   return ok ? TRUE : fail(ok.error());
 }

@@ -48,7 +48,8 @@ public:
   /// A patch became known (heightAt() and the like work there) or was forgotten. `graph`: what is in the
   /// scene as long as the patch belongs to the block; a program may add its own nodes.
   using PatchCallback = TeEngineSettings::PatchCallback;
-  /// A patch that cannot be made, an object that was stopped, a job of the program that failed.
+  /// A patch that cannot be made, an object that was stopped, a job of the program that failed, parameters of
+  /// the generator that are not usable.
   using ErrorCallback = TeEngineSettings::ErrorCallback;
   /// After objects were updated; `dt` is the simulated time of the tick. Not called while none moves.
   using CollisionHook = TeEngineSettings::CollisionHook;
@@ -136,9 +137,9 @@ public:
   SbBool initialize();
   SbBool isInitialized() const { return m_runtime != nullptr; }
   /// One turn of the loop: events, objects, the collision hook, terrain below each object, slices of
-  /// generation, hand-over to the scene, call-backs, statistics. FALSE, and nothing done: not initialised; dt
-  /// is negative or not finite; the generator's parameters are not usable; a call-back calls it that is not
-  /// of the tick's end. Of more than TeObjects::kLongestTick seconds the rest is dropped.
+  /// generation, hand-over to the scene, call-backs, statistics. FALSE, and nothing done: not initialised;
+  /// dt is negative or not finite; a call-back calls it that is not of the tick's end. Of more than
+  /// TeObjects::kLongestTick seconds the rest is dropped.
   SbBool timeTick(double dt);
   /// Works until nothing is left to be made for objects as they are now, whatever the budget, and hands it to
   /// the scene. Does nothing within an object's update() or a job's step().
@@ -194,6 +195,9 @@ private:
   SbBool checkEarly(const std::string& setting);
   /// Hands the generator's present parameters to the database.
   SbBool updateParams();
+  TeStatus takeParams();
+  /// Parameters that are not usable are reported once, and those before stay.
+  void takeParamsForTick();
   SbBool createDatabase();
   /// Null before SoDB::init().
   TeNodePtr<SoSeparator> makeGraph(const TePatchMesh& mesh);
@@ -209,6 +213,7 @@ private:
   std::unique_ptr<TePatchGraphBuilder> m_graphs; ///< made when first needed
   std::unordered_map<TePatchKey, std::unique_ptr<TePatch>, TePatchKeyHash> m_patches;
   std::string m_lastError;
+  std::string m_paramsFault; ///< of the last tick; empty if there was none
 
   TeEngineSettings m_settings;
   TeObjects m_objects;

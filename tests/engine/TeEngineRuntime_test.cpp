@@ -8,6 +8,7 @@
 
 #include <Inventor/nodes/SoTranslation.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -323,6 +324,40 @@ protected:
     return TeHeightSourcePtr(std::make_shared<BrokenSource>());
   }
 };
+
+TEST(TeEngineRuntime, UnusableParametersAreReportedOnceAndTheWorldGoesOn) {
+  class Sometimes final : public TeGenerator {
+  public:
+    explicit Sometimes(const bool& usable) : m_usable(usable) {}
+    std::string name() const override { return "sometimes"; }
+    TeParameters parameters() override { return {}; }
+
+  protected:
+    void setDefaults() override {}
+    TeResult<TeHeightSourcePtr> makeSource() const override {
+      if (!m_usable)
+        return TeError{"sometimes: not now"};
+      return TeHeightSourcePtr(std::make_shared<BrokenSource>());
+    }
+
+  private:
+    const bool& m_usable;
+  };
+  bool usable = true;
+  TeEndlessWorld world;
+  ASSERT_TRUE(world.engine.setGenerator(std::make_unique<Sometimes>(usable)));
+  std::vector<std::string> errors;
+  world.engine.setErrorCallback([&](const std::string& message) { errors.push_back(message); });
+  ASSERT_TRUE(world.object->setVelocity({0, -30, 0}));
+  ASSERT_TRUE(world.engine.initialize());
+  for (const bool now : {false, true, false}) {
+    usable = now;
+    for (int i = 0; i < 10; ++i)
+      ASSERT_TRUE(world.engine.timeTick(0.1));
+  }
+  EXPECT_NEAR(world.object->position().y, -90, 1e-6);
+  EXPECT_EQ(std::count(errors.begin(), errors.end(), "sometimes: not now"), 2);
+}
 
 TEST(TeEngineRuntime, APatchThatCannotBeMadeIsReportedAndTheRestIsThere) {
   TeEndlessWorld world;
