@@ -84,6 +84,7 @@ SbBool TeEngine::setGenerator(std::unique_ptr<TeGenerator> generator) {
   if (const TeStatus ok = generator->source()->accepts(m_lattice.samples(), m_lattice.samples()); !ok)
     return fail(ok.error());
   m_generator = std::move(generator);
+  m_paramsOfTick.reset();
   return m_database ? updateParams() : createDatabase();
 }
 
@@ -105,6 +106,12 @@ TeStatus TeEngine::takeParams() {
 }
 
 void TeEngine::takeParamsForTick() {
+  // To make a source may be work: one of elevation data opens its file.
+  const TeParameters parameters = m_generator->parameters();
+  const std::uint64_t hash = teHashParameters(parameters, 0);
+  if (!parameters.empty() && m_paramsOfTick == hash)
+    return;
+  m_paramsOfTick = hash;
   const TeStatus ok = takeParams();
   const std::string fault = ok ? "" : ok.error().message;
   if (fault == std::exchange(m_paramsFault, fault) || ok)

@@ -16,6 +16,7 @@
 #include <Inventor/SbVec2s.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <unordered_map>
 #include <vector>
@@ -213,7 +214,8 @@ private:
   std::unique_ptr<TePatchGraphBuilder> m_graphs; ///< made when first needed
   std::unordered_map<TePatchKey, std::unique_ptr<TePatch>, TePatchKeyHash> m_patches;
   std::string m_lastError;
-  std::string m_paramsFault; ///< of the last tick; empty if there was none
+  std::string m_paramsFault;                   ///< of the last tick; empty if there was none
+  std::optional<std::uint64_t> m_paramsOfTick; ///< hash of those that the last tick took
 
   TeEngineSettings m_settings;
   TeObjects m_objects;

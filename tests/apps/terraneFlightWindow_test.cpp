@@ -46,10 +46,11 @@ TEST_F(TerraneFlightWindow, ShowsAsManyFramesAsAskedFor) {
 TEST_F(TerraneFlightWindow, IsFlownByKeys) {
   if (teRunChild({"sh", "-c", "command -v xdotool"}).status != 0)
     GTEST_SKIP() << "no xdotool";
-  const TeChildResult result = runScript(
-      "$FLIGHT --report $FOLDER/b.json --record $FOLDER/b.txt --screenshots $FOLDER &\n"
-      "sleep 3; xdotool mousemove 100 100; sleep 0.3; xdotool keydown a; sleep 1.5; xdotool keyup a\n"
-      "xdotool key g; sleep 1; xdotool key Escape; wait $!");
+  const TeChildResult result =
+      runScript("$FLIGHT --report $FOLDER/b.json --record $FOLDER/b.txt --screenshots $FOLDER &\n"
+                "xdotool search --sync --onlyvisible --name . > /dev/null; sleep 3; xdotool mousemove 100 "
+                "100; sleep 0.3; xdotool keydown a; sleep 1.5; xdotool keyup a\n"
+                "xdotool key g; sleep 1; xdotool key Escape; wait $!");
   ASSERT_EQ(result.status, 0) << result.error;
   const nlohmann::json report = reportIn("b.json");
   ASSERT_FALSE(report.is_discarded());
@@ -66,12 +67,12 @@ TEST_F(TerraneFlightWindow, IsFlownByKeys) {
 TEST_F(TerraneFlightWindow, APausedFlightCostsNothing) {
   if (teRunChild({"sh", "-c", "command -v xdotool"}).status != 0)
     GTEST_SKIP() << "no xdotool";
-  const TeChildResult result =
-      runScript("$FLIGHT --report $FOLDER/d.json &\n"
-                "sleep 3; xdotool mousemove 100 100; sleep 0.3; xdotool key p; sleep 2\n"
-                "cut -d' ' -f14,15 /proc/$!/stat\n"
-                "sleep 3; cut -d' ' -f14,15 /proc/$!/stat\n"
-                "xdotool key Escape; wait $!");
+  const TeChildResult result = runScript("$FLIGHT --report $FOLDER/d.json &\n"
+                                         "xdotool search --sync --onlyvisible --name . > /dev/null; sleep 3; "
+                                         "xdotool mousemove 100 100; sleep 0.3; xdotool key p; sleep 2\n"
+                                         "cut -d' ' -f14,15 /proc/$!/stat\n"
+                                         "sleep 3; cut -d' ' -f14,15 /proc/$!/stat\n"
+                                         "xdotool key Escape; wait $!");
   ASSERT_EQ(result.status, 0) << result.error;
   int before[2], after[2];
   ASSERT_EQ(std::sscanf(result.output.c_str(), "%d %d %d %d", &before[0], &before[1], &after[0], &after[1]),

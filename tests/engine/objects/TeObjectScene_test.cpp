@@ -19,7 +19,7 @@ public:
 
 class Ghost : public TeObject {
 public:
-  Ghost() : TeObject("ghost") {}
+  Ghost() : TeObject("ghost") { TeNodes::init(); }
 };
 
 SbVec3f centreOf(const TeObjectScene& scene) {
