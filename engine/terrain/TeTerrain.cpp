@@ -38,7 +38,7 @@ TeStatus TeTerrain::build(const TePatchKey& key) {
   if (patch.hasHeights)
     return {};
   if (patch.heightsJob) {
-    --m_queued[std::size_t(patch.heightsJob->kind())];
+    m_candidates.unqueued(patch.heightsJob->kind());
     m_queue.cancel(*patch.heightsJob);
     patch.heightsJob = nullptr;
   }
@@ -135,44 +135,29 @@ void TeTerrain::want(const TePatchKey& key, TeJobKind kind) {
   if (const TePatchData* data = m_database.find(key); data && data->hasHeights())
     gotHeights(key);
   else
-    m_candidates[std::size_t(kind)].push_back(urgencyOf(key));
+    m_candidates.add(kind, urgencyOf(key));
 }
 
 void TeTerrain::findCandidates() {
-  for (std::vector<TeUrgency>& candidates : m_candidates)
-    candidates.clear();
+  m_candidates.clear();
   m_plan.pins().forEach([this](const TePatchKey& key) { want(key, TeJobKind::Ground); });
   block().forEach([this](const TePatchKey& key) { want(key, kindOf(key)); });
   m_plan.forEachAhead([this](const TePatchKey& key) { want(key, kindOf(key)); });
-  for (std::size_t kind = 0; kind < kQueued.size(); ++kind) {
-    std::vector<TeUrgency>& candidates = m_candidates[kind];
-    m_moreCandidates[kind] = candidates.size() > kQueued[kind];
-    if (m_moreCandidates[kind]) {
-      std::nth_element(candidates.begin(), candidates.begin() + std::ptrdiff_t(kQueued[kind]),
-                       candidates.end());
-      candidates.resize(kQueued[kind]);
-    }
-    std::sort(candidates.begin(), candidates.end(),
-              [](const TeUrgency& a, const TeUrgency& b) { return b < a; });
-  }
+  m_candidates.sort();
 }
 
 void TeTerrain::fillQueue() {
-  for (std::size_t kind = 0; kind < kQueued.size(); ++kind)
-    if (m_candidates[kind].empty() && m_moreCandidates[kind] && m_queued[kind] < kQueued[kind] / 2) {
-      findCandidates();
-      break;
-    }
-  for (std::size_t kind = 0; kind < kQueued.size(); ++kind) {
-    std::vector<TeUrgency>& candidates = m_candidates[kind];
-    for (; !candidates.empty() && m_queued[kind] < kQueued[kind]; candidates.pop_back()) {
-      const TeUrgency& urgency = candidates.back();
+  if (m_candidates.outdated())
+    findCandidates();
+  for (const TeJobKind kind : {TeJobKind::Ground, TeJobKind::Block, TeJobKind::Ahead}) {
+    TeUrgency urgency;
+    while (m_candidates.take(kind, urgency)) {
       TeTerrainPatch& patch = m_patches[urgency.key];
       if (patch.hasHeights || patch.heightsJob) // it was foreseen twice
         continue;
-      patch.heightsJob = &m_queue.add(
-          std::make_unique<TeHeightsJob>(m_database, m_maps, urgency.key, TeJobKind(kind), urgency));
-      ++m_queued[kind];
+      patch.heightsJob =
+          &m_queue.add(std::make_unique<TeHeightsJob>(m_database, m_maps, urgency.key, kind, urgency));
+      m_candidates.queued(kind);
     }
   }
 }
@@ -216,7 +201,7 @@ void TeTerrain::finished(TeJob& job, TeProgress progress) {
   if (auto* heights = dynamic_cast<TeHeightsJob*>(&job)) {
     TeTerrainPatch& patch = m_patches[heights->key()];
     patch.heightsJob = nullptr;
-    --m_queued[std::size_t(job.kind())];
+    m_candidates.unqueued(job.kind());
     if (progress == TeProgress::Done) {
       gotHeights(heights->key());
     } else {
@@ -255,7 +240,7 @@ void TeTerrain::failed(const TePatchKey& key, TeTerrainPatch& patch, const TeJob
 
 void TeTerrain::reviewJobs() {
   m_reviewedView = m_view;
-  m_queued = {};
+  m_candidates.clearQueued();
   m_queue.review(
       [this](TeJob& job, TeJobKind& kind, TeUrgency& urgency) { return reviewJob(job, kind, urgency); });
   findCandidates();
@@ -268,7 +253,7 @@ bool TeTerrain::reviewJob(TeJob& job, TeJobKind& kind, TeUrgency& urgency) {
       return false;
     }
     kind = kindOf(heights->key());
-    ++m_queued[std::size_t(kind)];
+    m_candidates.queued(kind);
     urgency = urgencyOf(heights->key());
   } else if (const auto* made = dynamic_cast<const TePieceJob*>(&job)) {
     if (!tePieceAll(made->owner(), made->piece(),
@@ -398,21 +383,14 @@ void TeTerrain::work(TeAllowance& allowance) {
   show(allowance);
   do
     fillQueue();
-  while (m_queue.run(allowance) && !allowance.exhausted() && hasCandidates());
+  while (m_queue.run(allowance) && !allowance.exhausted() && !m_candidates.empty());
   if (!m_toShow.empty() && !allowance.exhausted())
     show(allowance);
 }
 
-bool TeTerrain::hasCandidates() const {
-  for (std::size_t kind = 0; kind < kQueued.size(); ++kind)
-    if (!m_candidates[kind].empty() || m_moreCandidates[kind])
-      return true;
-  return false;
-}
-
 bool TeTerrain::idle() const {
-  return m_queue.empty() && !hasCandidates() && m_toShow.empty() && m_toDrop.empty() && !m_plan.outdated() &&
-         !m_scene.drawing()->changesAnchor();
+  return m_queue.empty() && m_candidates.empty() && m_toShow.empty() && m_toDrop.empty() &&
+         !m_plan.outdated() && !m_scene.drawing()->changesAnchor();
 }
 
 bool TeTerrain::complete(const TePatchKey& key) const {
@@ -426,31 +404,12 @@ bool TeTerrain::complete(const TePatchKey& key) const {
   return true;
 }
 
-void TeTerrain::countBlock() {
-  // What is complete stays so until the block changes.
-  if (std::exchange(m_blockChanged, false)) {
-    m_missing.clear();
-    m_blockCounts = {};
-    block().forEach([this](const TePatchKey& key) {
-      m_missing.push_back(key);
-      ++m_blockCounts.block;
-    });
-  }
-  if (m_missing.empty())
-    return;
-  m_missing.erase(std::remove_if(m_missing.begin(), m_missing.end(),
-                                 [this](const TePatchKey& key) { return complete(key); }),
-                  m_missing.end());
-  m_blockCounts.missing = std::int64_t(m_missing.size());
-  m_blockCounts.drawn = m_blockCounts.block - m_blockCounts.missing;
-  m_blockCounts.missingInView = 0;
-  for (const TePatchKey& key : m_missing)
-    m_blockCounts.missingInView += inView(key) ? 1 : 0;
-}
-
 void TeTerrain::count(TeStatistics& statistics) {
-  countBlock();
-  statistics.patches = m_blockCounts;
+  if (std::exchange(m_blockChanged, false))
+    m_blockCount.begin(block());
+  m_blockCount.update([this](const TePatchKey& key) { return complete(key); },
+                      [this](const TePatchKey& key) { return inView(key); });
+  statistics.patches = m_blockCount.counts();
   statistics.patches.resident = m_resident;
   statistics.patches.made = m_made;
   statistics.patches.madeAgain = m_madeAgain;

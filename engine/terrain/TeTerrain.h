@@ -3,6 +3,8 @@
 #include "engine/TeStatistics.h"
 #include "engine/jobs/TeJobQueue.h"
 #include "engine/jobs/TeMapMaker.h"
+#include "engine/terrain/TeBlockCount.h"
+#include "engine/terrain/TePatchCandidates.h"
 #include "engine/terrain/TeTerrainPatch.h"
 #include "engine/terrain/TeTerrainPlan.h"
 #include "engine/terrain/TeTerrainScene.h"
@@ -25,9 +27,6 @@ class TeTerrain {
 public:
   /// Patches that stay known beyond the block's rim.
   static constexpr int kKeep = 1;
-  /// Patches that are in the queue at most: the next are found when they are due, so that planning stays
-  /// cheap however many are missing.
-  static constexpr std::array<std::size_t, kTeJobKinds> kQueued = {256, 48, 16, 0};
   static constexpr std::int64_t kBytesPerUnit = 1 << 16; ///< of uploads, where work is counted in units
   static constexpr std::int64_t kRetryTicks = 100;       ///< after a patch or a piece of it could not be made
 
@@ -68,7 +67,7 @@ public:
   /// Nothing is left to be made, shown or dropped.
   bool idle() const;
   /// Nothing is left to be made but what could not be made lately.
-  bool complete() const { return m_queue.empty() && !hasCandidates(); }
+  bool complete() const { return m_queue.empty() && m_candidates.empty(); }
   /// True once after something in the scene has changed.
   bool takeChanged() { return std::exchange(m_changed, false); }
   std::vector<Event> takeEvents() { return std::move(m_events); }
@@ -103,7 +102,6 @@ private:
   void findCandidates();
   /// Turns the most urgent candidates into jobs.
   void fillQueue();
-  bool hasCandidates() const;
   void gotHeights(const TePatchKey& key);
   void finished(TeJob& job, TeProgress progress);
   void makePiece(const TePatchKey& owner, TeTerrainPiece piece);
@@ -116,7 +114,6 @@ private:
   void dropOld(TeAllowance& allowance);
   void drop(const TePatchKey& key);
   bool complete(const TePatchKey& key) const;
-  void countBlock();
 
   TePatchDatabase& m_database;
   TeTerrainScene& m_scene;
@@ -127,10 +124,7 @@ private:
   TeTerrainView m_view;
   TeTerrainView m_reviewedView; ///< for which urgencies were found
   TeTerrainPlan m_plan;
-  /// Missing patches by kind, the most urgent last; m_moreCandidates: there are others, less urgent.
-  std::array<std::vector<TeUrgency>, kTeJobKinds> m_candidates;
-  std::array<bool, kTeJobKinds> m_moreCandidates{};
-  std::array<std::size_t, kTeJobKinds> m_queued{}; ///< patches in the queue
+  TePatchCandidates m_candidates;
   Patches m_patches;
   std::vector<Shown> m_toShow;
   std::deque<TePatchKey> m_toDrop;
@@ -141,8 +135,7 @@ private:
   float m_highest = 0;
   bool m_changed = false;
   bool m_blockChanged = false;
-  TeStatistics::Patches m_blockCounts;
-  std::vector<TePatchKey> m_missing; ///< patches of the block that are not complete in the scene
+  TeBlockCount m_blockCount;
   std::vector<Event> m_events;
   TeKeySet m_madeKeys;
   std::int64_t m_resident = 0;
