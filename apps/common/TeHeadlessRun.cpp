@@ -2,12 +2,12 @@
 
 #include "apps/common/TeProgressLine.h"
 #include "engine/input/TeRecordingFormat.h"
+#include "generators/base/TeAllowance.h"
 #include "generators/base/TeHash.h"
 #include "nodes/TeSceneRenderer.h"
 
 #include <algorithm>
 #include <chrono>
-#include <ctime>
 
 namespace {
 
@@ -15,12 +15,6 @@ constexpr int kSamplesPerPixel = 4; ///< of pictures that are kept
 
 double wallSeconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
-}
-
-double threadSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
 }
 
 using Renderer = std::unique_ptr<TeSceneRenderer>;
@@ -78,7 +72,7 @@ private:
   }
 
   TeStatus draw() {
-    const double begin = wallSeconds(), before = threadSeconds();
+    const double begin = wallSeconds(), before = teThreadCpuSeconds();
     if (const TeStatus ok = m_renderer->draw(&m_session.stage().all()); !ok)
       return ok;
     ++m_drawn;
@@ -88,7 +82,7 @@ private:
     if (dt > 0)
       m_session.engine().frameDrawn(dt, 0);
     else
-      m_session.engine().frameDrawn(begin - m_lastFrame, threadSeconds() - before);
+      m_session.engine().frameDrawn(begin - m_lastFrame, teThreadCpuSeconds() - before);
     m_lastFrame = begin;
     m_session.log().drawn(m_session.engine());
     return {};

@@ -1,3 +1,4 @@
+#include "generators/base/TeAllowance.h"
 #include "nodes/context/TeWindow.h"
 #include "nodes/context/modules/TeSoQtApplication.h"
 #include "nodes/context/modules/TeSoQtFrames.h"
@@ -7,16 +8,9 @@
 #include <QOpenGLContext>
 #include <QWidget>
 
-#include <ctime>
 #include <utility>
 
 namespace {
-
-double threadSeconds() {
-  timespec now{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-  return double(now.tv_sec) + 1e-9 * double(now.tv_nsec);
-}
 
 class TeSoQtWindow : public SoQtRenderArea, public TeWindow {
 public:
@@ -45,9 +39,9 @@ public:
 protected:
   void actualRedraw() override {
     m_frames.begin();
-    const double before = threadSeconds();
+    const double before = teThreadCpuSeconds();
     SoQtRenderArea::actualRedraw();
-    const double drawSeconds = threadSeconds() - before;
+    const double drawSeconds = teThreadCpuSeconds() - before;
     if (m_taken)
       std::exchange(m_taken, nullptr)(m_frames.readPicture());
     m_frames.end();
