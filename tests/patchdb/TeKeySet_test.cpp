@@ -28,8 +28,8 @@ TEST(TeKeySet, AgreesWithAPlainSetNearAndFarAndAtTheRim) {
   TeKeySet keys;
   std::set<std::pair<std::int64_t, std::int64_t>> reference;
   for (int i = 0; i < 20000; ++i) {
-    const std::int64_t x = centres[random.below(6)] + std::int64_t(random.below(64)) - 32;
-    const std::int64_t y = centres[random.below(6)] + std::int64_t(random.below(64)) - 32;
+    const std::int64_t x = centres[random.below(6)] + (std::int64_t(random.below(64)) - 32);
+    const std::int64_t y = centres[random.below(6)] + (std::int64_t(random.below(64)) - 32);
     EXPECT_EQ(keys.contains(x, y), reference.count({x, y}) == 1);
     if (i % 2 == 0) {
       EXPECT_EQ(keys.insert(x, y), reference.insert({x, y}).second);
