@@ -195,32 +195,25 @@ SbBool TeEngine::checkEarly(const std::string& setting) {
   return checkSetting(!m_runtime, setting + " cannot change once the engine is initialised");
 }
 
-SbBool TeEngine::setSceneRoot(SoSeparator* root) {
-  if (!checkEarly("the scene root"))
+template <class Node> SbBool TeEngine::setNode(TeNodePtr<Node>& setting, Node* node, const char* what) {
+  if (!checkEarly(what))
     return FALSE;
-  m_settings.sceneRoot = TeNodePtr<SoSeparator>(root);
+  setting = TeNodePtr<Node>(node);
   return TRUE;
+}
+
+SbBool TeEngine::setSceneRoot(SoSeparator* root) {
+  return setNode(m_settings.sceneRoot, root, "the scene root");
 }
 
 SbBool TeEngine::setSceneCamera(SoPerspectiveCamera* camera) {
-  if (!checkEarly("the scene camera"))
-    return FALSE;
-  m_settings.sceneCamera = TeNodePtr<SoPerspectiveCamera>(camera);
-  return TRUE;
+  return setNode(m_settings.sceneCamera, camera, "the scene camera");
 }
 
-SbBool TeEngine::setHudRoot(SoSeparator* root) {
-  if (!checkEarly("the HUD root"))
-    return FALSE;
-  m_settings.hudRoot = TeNodePtr<SoSeparator>(root);
-  return TRUE;
-}
+SbBool TeEngine::setHudRoot(SoSeparator* root) { return setNode(m_settings.hudRoot, root, "the HUD root"); }
 
 SbBool TeEngine::setHudCamera(SoOrthographicCamera* camera) {
-  if (!checkEarly("the HUD camera"))
-    return FALSE;
-  m_settings.hudCamera = TeNodePtr<SoOrthographicCamera>(camera);
-  return TRUE;
+  return setNode(m_settings.hudCamera, camera, "the HUD camera");
 }
 
 TeObject* TeEngine::addObject(std::unique_ptr<TeObject> object) {

@@ -194,6 +194,7 @@ private:
   /// Says what setting is out of range, or too late.
   SbBool checkSetting(bool good, const std::string& setting);
   SbBool checkEarly(const std::string& setting);
+  template <class Node> SbBool setNode(TeNodePtr<Node>& setting, Node* node, const char* what);
   /// Hands the generator's present parameters to the database.
   SbBool updateParams();
   TeStatus takeParams();

@@ -174,11 +174,9 @@ void TeEngineRuntime::handleKeys() {
   // A key's handling may post others, for the next tick.
   std::vector<TeKeyEvent> keys;
   keys.swap(m_keys);
-  for (const TeKeyEvent& event : keys) {
-    const bool isNew = event.down ? m_pressed.insert(event.key).second : m_pressed.erase(event.key) > 0;
-    if (isNew)
+  for (const TeKeyEvent& event : keys)
+    if (m_pressed.change(event))
       handleKey(event);
-  }
 }
 
 void TeEngineRuntime::handleKey(const TeKeyEvent& event) {

@@ -4,13 +4,13 @@
 #include "engine/TeStatistics.h"
 #include "engine/camera/TeCameraRig.h"
 #include "engine/hud/TeHud.h"
+#include "engine/input/TeKeyState.h"
 #include "engine/objects/TeObjectScene.h"
 #include "engine/objects/TeObjects.h"
 #include "engine/terrain/TeTerrain.h"
 
 #include <deque>
 #include <memory>
-#include <set>
 #include <vector>
 
 /// What exists of an engine from initialize() on: its terrain, its part of the scene, its camera and HUD, and
@@ -77,7 +77,7 @@ private:
   TeObjectScene m_objectScene;
   TeStatistics m_statistics;
   std::vector<TeKeyEvent> m_keys;
-  std::set<SoKeyboardEvent::Key> m_pressed;
+  TeKeyState m_pressed;
   std::deque<TeTerrain::Event> m_events; ///< that call-backs were not told of yet
   bool m_paused = false;
   bool m_wireframe = false;

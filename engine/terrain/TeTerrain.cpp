@@ -1,7 +1,6 @@
 #include "engine/terrain/TeTerrain.h"
 
 #include "engine/terrain/TeHeightsJob.h"
-#include "engine/terrain/TeLookAhead.h"
 #include "engine/terrain/TePieceJob.h"
 #include "generators/base/TeHash.h"
 
@@ -85,6 +84,10 @@ TeJobKind TeTerrain::kindOf(const TePatchKey& key) const {
   if (m_plan.pins().holds(key) || key == block().centre)
     return TeJobKind::Ground;
   return m_plan.inBlock(key) ? TeJobKind::Block : TeJobKind::Ahead;
+}
+
+TeJobKind TeTerrain::kindOf(const TePatchKey& owner, TeTerrainPiece piece) const {
+  return m_plan.inBlock(owner, piece) ? TeJobKind::Block : TeJobKind::Ahead;
 }
 
 TeUrgency TeTerrain::urgencyOf(const TePatchKey& key, TeTerrainPiece piece) const {
@@ -172,11 +175,8 @@ void TeTerrain::makePiece(const TePatchKey& owner, TeTerrainPiece piece) {
                   [this](const TePatchKey& key) { return m_plan.drawable(key) && hasHeights(key); }) ||
       waits(found->second))
     return;
-  const bool inBlock =
-      tePieceAll(owner, piece, [this](const TePatchKey& key) { return m_plan.inBlock(key); });
-  record.job = &m_queue.add(
-      std::make_unique<TePieceJob>(m_database, owner, piece, m_colours, m_scene.drawing(),
-                                   inBlock ? TeJobKind::Block : TeJobKind::Ahead, urgencyOf(owner, piece)));
+  record.job = &m_queue.add(std::make_unique<TePieceJob>(
+      m_database, owner, piece, m_colours, m_scene.drawing(), kindOf(owner, piece), urgencyOf(owner, piece)));
 }
 
 void TeTerrain::gotHeights(const TePatchKey& key) {
@@ -256,15 +256,11 @@ bool TeTerrain::reviewJob(TeJob& job, TeJobKind& kind, TeUrgency& urgency) {
     m_candidates.queued(kind);
     urgency = urgencyOf(heights->key());
   } else if (const auto* made = dynamic_cast<const TePieceJob*>(&job)) {
-    if (!tePieceAll(made->owner(), made->piece(),
-                    [this](const TePatchKey& key) { return m_plan.drawable(key); })) {
+    if (!m_plan.drawable(made->owner(), made->piece())) {
       m_patches[made->owner()][made->piece()].job = nullptr;
       return false;
     }
-    kind = tePieceAll(made->owner(), made->piece(),
-                      [this](const TePatchKey& key) { return m_plan.inBlock(key); })
-               ? TeJobKind::Block
-               : TeJobKind::Ahead;
+    kind = kindOf(made->owner(), made->piece());
     urgency = urgencyOf(made->owner(), made->piece());
   }
   return true;
@@ -299,8 +295,7 @@ void TeTerrain::updatePatch(const TePatchKey& key, TeTerrainPatch& patch) {
     TeTerrainPatch::Piece& piece = patch[part];
     if (!piece.made)
       continue;
-    const bool show =
-        tePieceAll(key, part, [this](const TePatchKey& other) { return m_plan.inBlock(other); });
+    const bool show = m_plan.inBlock(key, part);
     if (show && !piece.shown)
       m_toShow.push_back({urgencyOf(key, part), key, part});
     if (!show && piece.shown) {
@@ -398,8 +393,7 @@ bool TeTerrain::complete(const TePatchKey& key) const {
   if (found == m_patches.end())
     return false;
   for (const TeTerrainPiece part : kTeTerrainPieces)
-    if (!found->second.pieces[std::size_t(part)].shown &&
-        tePieceAll(key, part, [this](const TePatchKey& other) { return m_plan.inBlock(other); }))
+    if (!found->second.pieces[std::size_t(part)].shown && m_plan.inBlock(key, part))
       return false;
   return true;
 }

@@ -89,6 +89,7 @@ private:
   bool kept(const TePatchKey& key) const;
   bool hasHeights(const TePatchKey& key) const;
   TeJobKind kindOf(const TePatchKey& key) const;
+  TeJobKind kindOf(const TePatchKey& owner, TeTerrainPiece piece) const;
   TeUrgency urgencyOf(const TePatchKey& key, TeTerrainPiece piece = TeTerrainPiece::Inside) const;
   bool inView(const TePatchKey& key) const;
   /// Or one of the patches to its west and south is, whose seams need it.

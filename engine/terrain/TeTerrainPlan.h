@@ -2,6 +2,7 @@
 
 #include "engine/terrain/TeGroundPins.h"
 #include "engine/terrain/TePatchBlock.h"
+#include "engine/terrain/TeTerrainPiece.h"
 #include "engine/terrain/TeTerrainView.h"
 
 #include <vector>
@@ -24,6 +25,13 @@ public:
   bool inBlock(const TePatchKey& key) const { return m_block.contains(key); }
   /// In the block, or in one that will be needed soon: its pieces are made.
   bool drawable(const TePatchKey& key) const;
+  /// The same of all patches that meet in a piece.
+  bool inBlock(const TePatchKey& owner, TeTerrainPiece piece) const {
+    return tePieceAll(owner, piece, [this](const TePatchKey& key) { return inBlock(key); });
+  }
+  bool drawable(const TePatchKey& owner, TeTerrainPiece piece) const {
+    return tePieceAll(owner, piece, [this](const TePatchKey& key) { return drawable(key); });
+  }
   bool wanted(const TePatchKey& key) const { return drawable(key) || m_pins.holds(key); }
 
   /// visit(key) for what is foreseen and not in the block; some keys may come twice.
