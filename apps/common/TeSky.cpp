@@ -1,13 +1,12 @@
 #include "apps/common/TeSky.h"
 
+#include "nodes/TeOverlay.h"
+
 #include <Inventor/nodes/SoCoordinate3.h>
-#include <Inventor/nodes/SoDepthBuffer.h>
 #include <Inventor/nodes/SoIndexedTriangleStripSet.h>
-#include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoMaterialBinding.h>
 #include <Inventor/nodes/SoPackedColor.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
-#include <Inventor/nodes/SoPickStyle.h>
 #include <Inventor/nodes/SoSeparator.h>
 
 #include <algorithm>
@@ -41,16 +40,7 @@ SoNode* teSky(SoPerspectiveCamera& camera, const SbColor& horizon) {
   eye->heightAngle.connectFrom(&camera.heightAngle);
   eye->orientation.connectFrom(&camera.orientation);
   sky->addChild(eye);
-  auto* depth = new SoDepthBuffer;
-  depth->test = FALSE;
-  depth->write = FALSE;
-  sky->addChild(depth);
-  auto* unlit = new SoLightModel;
-  unlit->model = SoLightModel::BASE_COLOR;
-  sky->addChild(unlit);
-  auto* picking = new SoPickStyle;
-  picking->style = SoPickStyle::UNPICKABLE;
-  sky->addChild(picking);
+  teAddOverlayState(*sky);
 
   auto* coordinates = new SoCoordinate3;
   auto* colours = new SoPackedColor;

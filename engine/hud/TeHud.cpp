@@ -1,13 +1,11 @@
 #include "engine/hud/TeHud.h"
 
 #include "engine/hud/TeTextPanel.h"
+#include "nodes/TeOverlay.h"
 
-#include <Inventor/nodes/SoDepthBuffer.h>
 #include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoEnvironment.h>
-#include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
-#include <Inventor/nodes/SoPickStyle.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
 #include <Inventor/nodes/SoTransparencyType.h>
@@ -46,13 +44,7 @@ std::vector<std::string> shownTexts(const std::vector<std::string>& lines) {
 /// What is drawn as text and flat rectangles over the picture, whatever the scene's state.
 SoSeparator* makeGraph() {
   auto* graph = new SoSeparator;
-  auto* depth = new SoDepthBuffer;
-  depth->test = FALSE;
-  depth->write = FALSE;
-  graph->addChild(depth);
-  auto* light = new SoLightModel;
-  light->model = SoLightModel::BASE_COLOR;
-  graph->addChild(light);
+  teAddOverlayState(*graph);
   auto* fog = new SoEnvironment;
   fog->fogType = SoEnvironment::NONE;
   graph->addChild(fog);
@@ -62,9 +54,6 @@ SoSeparator* makeGraph() {
   auto* transparency = new SoTransparencyType;
   transparency->value = SoTransparencyType::BLEND;
   graph->addChild(transparency);
-  auto* picking = new SoPickStyle;
-  picking->style = SoPickStyle::UNPICKABLE;
-  graph->addChild(picking);
   return graph;
 }
 
