@@ -2,10 +2,9 @@
 
 #include "apps/common/TeAppWorld.h"
 #include "apps/common/TeHaze.h"
+#include "apps/common/TeLight.h"
 #include "apps/common/TeSky.h"
 #include "apps/common/TeSourceGenerator.h"
-
-#include <Inventor/nodes/SoDirectionalLight.h>
 
 namespace {
 
@@ -13,14 +12,6 @@ constexpr float kFieldOfView = 0.9f; ///< radians, of the shorter side
 /// The haze is complete at this part of the block's half side: before the rim even where the picture's corner
 /// looks at it, for OpenGL's haze counts the depth, not the distance.
 constexpr double kHazeEnd = 0.85;
-
-void addLight(SoSeparator& scene, const SbVec3f& direction, const SbColor& colour, float intensity) {
-  auto* light = new SoDirectionalLight;
-  light->direction = direction;
-  light->color = colour;
-  light->intensity = intensity;
-  scene.addChild(light);
-}
 
 } // namespace
 
@@ -69,8 +60,8 @@ void TeEngineStage::createScene(const TeEngineOptions& options) {
     m_scene->addChild(teHaze(m_background, float(kHazeEnd * options.radius * m_patchSide)));
   m_scene->addChild(m_camera.get());
   // The sun in the west, low enough that relief shows, and the sky.
-  addLight(*m_scene, SbVec3f(0.75f, -0.2f, -0.6f), SbColor(1.0f, 0.96f, 0.88f), 0.95f);
-  addLight(*m_scene, SbVec3f(0, 0, -1), SbColor(0.75f, 0.87f, 1.0f), 0.35f);
+  teAddLight(*m_scene, SbVec3f(0.75f, -0.2f, -0.6f), SbColor(1.0f, 0.96f, 0.88f), 0.95f);
+  teAddLight(*m_scene, SbVec3f(0, 0, -1), SbColor(0.75f, 0.87f, 1.0f), 0.35f);
   m_engine->setSceneRoot(m_scene.get());
   m_engine->setSceneCamera(m_camera.get());
 

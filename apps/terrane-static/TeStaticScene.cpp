@@ -1,12 +1,12 @@
 #include "apps/terrane-static/TeStaticScene.h"
 
+#include "apps/common/TeLight.h"
 #include "nodes/context/TeViewer.h"
 #include "nodes/terrain/TeBlockGraph.h"
 
 #include <Inventor/SbBox3f.h>
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/nodes/SoBaseColor.h>
-#include <Inventor/nodes/SoDirectionalLight.h>
 #include <Inventor/nodes/SoDrawStyle.h>
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoMaterialBinding.h>
@@ -86,14 +86,6 @@ SoCamera* cameraAround(const SbBox3f& box, SbVec3f direction, SbVec3f up, float 
   return camera;
 }
 
-void addLight(SoSeparator& scene, const SbVec3f& direction, const SbColor& colour, float intensity) {
-  SoDirectionalLight* light = new SoDirectionalLight;
-  light->direction = direction;
-  light->color = colour;
-  light->intensity = intensity;
-  scene.addChild(light);
-}
-
 /// The lines of the triangles in their colours. What lies behind the surface is hidden by the surface itself
 /// in the colour of the sky.
 SoSeparator* wireframeOf(SoSeparator* graph) {
@@ -148,8 +140,8 @@ TeResult<TeNodePtr<SoSeparator>> teStaticScene(const TeStaticBlock& block, const
   scene->addChild(options.top ? cameraAround(box, SbVec3f(0, 0, -1), SbVec3f(0, 1, 0), aspect)
                               : cameraAround(box, SbVec3f(-0.3f, 0.85f, -0.5f), SbVec3f(0, 0, 1), aspect));
   // The sun low in the west, and the sky.
-  addLight(*scene, SbVec3f(0.8f, -0.3f, -0.5f), SbColor(1.0f, 0.96f, 0.88f), 1.0f);
-  addLight(*scene, SbVec3f(0, 0, -1), SbColor(0.8f, 0.9f, 1.0f), 0.4f);
+  teAddLight(*scene, SbVec3f(0.8f, -0.3f, -0.5f), SbColor(1.0f, 0.96f, 0.88f), 1.0f);
+  teAddLight(*scene, SbVec3f(0, 0, -1), SbColor(0.8f, 0.9f, 1.0f), 0.4f);
   scene->addChild(options.wireframe ? wireframeOf(graph->get()) : graph->get());
   return scene;
 }
