@@ -3,7 +3,6 @@
 #include "generators/base/TeLog.h"
 #include "generators/base/TeText.h"
 
-#include <cstdio>
 #include <filesystem>
 
 namespace {
@@ -129,9 +128,8 @@ void TeEngineSession::savePicture(const TeResult<TePicture>& picture) {
   if (!picture)
     return TeLog::error("picture: " + picture.error().message);
   for (int number = 1; number < kMostPictures; ++number) {
-    char name[16];
-    std::snprintf(name, sizeof name, "-%03d.png", number);
-    const std::filesystem::path path = std::filesystem::path(m_options.screenshots) / (m_application + name);
+    const std::filesystem::path path =
+        std::filesystem::path(m_options.screenshots) / (m_application + teFormat("-%03d.png", number));
     std::error_code ignored;
     if (std::filesystem::exists(path, ignored))
       continue;
@@ -147,12 +145,10 @@ TeStatus TeEngineSession::finish() { return m_recorder ? m_recorder->finish() : 
 
 std::string TeEngineSession::summary() const {
   const TeStatistics& statistics = m_stage->engine().getStatistics();
-  char text[160];
-  std::snprintf(text, sizeof text, "%lld ticks, the worst %.1f ms of %.1f; %lld patches made, %lld drawn",
-                static_cast<long long>(statistics.ticks), 1000 * statistics.worstTickSeconds,
-                1000 * statistics.budgetSeconds, static_cast<long long>(statistics.patches.made),
-                static_cast<long long>(statistics.patches.drawn));
-  return text;
+  return teFormat("%lld ticks, the worst %.1f ms of %.1f; %lld patches made, %lld drawn",
+                  static_cast<long long>(statistics.ticks), 1000 * statistics.worstTickSeconds,
+                  1000 * statistics.budgetSeconds, static_cast<long long>(statistics.patches.made),
+                  static_cast<long long>(statistics.patches.drawn));
 }
 
 void TeEngineSession::describe(nlohmann::ordered_json& report) const {

@@ -1,9 +1,8 @@
 #include "apps/common/TeHeadlessRun.h"
 
 #include "apps/common/TeProgressLine.h"
-#include "engine/input/TeRecordingFormat.h"
 #include "generators/base/TeAllowance.h"
-#include "generators/base/TeHash.h"
+#include "generators/base/TeText.h"
 #include "nodes/TeSceneRenderer.h"
 
 #include <algorithm>
@@ -136,8 +135,7 @@ TeStatus teRunHeadless(TeEngineSession& session, TeReport& report) {
   json["frames"] = frames.count();
   json["frames_drawn"] = frames.drawn();
   report.addTime("frame_mean", frames.meanSeconds());
-  json["state_hash"] = TeRecordingFormat::hashText(session.engine().stateHash(true));
-  json["picture_size"] = {picture->width, picture->height};
-  json["picture_hash"] = TeRecordingFormat::hashText(teHashBytes(picture->rgba.data(), picture->rgba.size()));
+  json["state_hash"] = teHexText(session.engine().stateHash(true));
+  report.addPicture(*picture);
   return common.offscreen.empty() ? TeStatus() : picture->writePng(common.offscreen);
 }

@@ -1,5 +1,8 @@
 #include "apps/common/TeReport.h"
 
+#include "generators/base/TeHash.h"
+#include "generators/base/TeText.h"
+
 #include <sys/resource.h>
 
 #include <cerrno>
@@ -19,6 +22,11 @@ TeReport::TeReport(const std::string& application, const std::string& arguments)
 }
 
 void TeReport::addTime(const std::string& name, double seconds) { m_json["times_ms"][name] = seconds * 1000; }
+
+void TeReport::addPicture(const TePicture& picture) {
+  m_json["picture_size"] = {picture.width, picture.height};
+  m_json["picture_hash"] = teHexText(teHashBytes(picture.rgba.data(), picture.rgba.size()));
+}
 
 TeStatus TeReport::write(const std::string& file) {
   // Beside those by kind, if the application has told any.

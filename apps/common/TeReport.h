@@ -1,6 +1,7 @@
 #pragma once
 
 #include "generators/base/TeResult.h"
+#include "nodes/TePicture.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,6 +16,8 @@ public:
   nlohmann::ordered_json& json() { return m_json; }
   /// Adds a time under "times_ms".
   void addTime(const std::string& name, double seconds);
+  /// Adds its size and the hash of its pixels.
+  void addPicture(const TePicture& picture);
   /// Writes the file, with the process's peak memory added.
   TeStatus write(const std::string& file);
 

@@ -1,8 +1,7 @@
 #include "apps/common/TeWindowRun.h"
 
-#include "engine/input/TeRecordingFormat.h"
 #include "engine/loop/TeEngineLoop.h"
-#include "generators/base/TeHash.h"
+#include "generators/base/TeText.h"
 #include "nodes/context/TeWindow.h"
 
 #include <Inventor/SoDB.h>
@@ -93,11 +92,10 @@ TeStatus teRunInWindow(TeEngineSession& session, const std::string& title, TeRep
   json["frames"] = session.engine().getStatistics().redraws;
   report.addTime("frame_mean", shown->meanSeconds);
   report.addTime("frame_longest", shown->longestSeconds);
-  json["state_hash"] = TeRecordingFormat::hashText(session.engine().stateHash());
+  json["state_hash"] = teHexText(session.engine().stateHash());
   const TePicture& picture = shown->picture;
   if (picture.rgba.empty())
     return {};
-  json["picture_size"] = {picture.width, picture.height};
-  json["picture_hash"] = TeRecordingFormat::hashText(teHashBytes(picture.rgba.data(), picture.rgba.size()));
+  report.addPicture(picture);
   return common.offscreen.empty() ? TeStatus() : picture.writePng(common.offscreen);
 }

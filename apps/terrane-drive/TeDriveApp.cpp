@@ -1,9 +1,9 @@
 #include "apps/terrane-drive/TeDriveApp.h"
 
 #include "engine/TeEngine.h"
+#include "generators/base/TeText.h"
 
 #include <cmath>
-#include <cstdio>
 
 namespace {
 
@@ -36,9 +36,7 @@ TeResult<glm::dvec2> parkingPlace(TeEngine& engine, glm::dvec2 start) {
   }
   if (best)
     return *best;
-  char text[96];
-  std::snprintf(text, sizeof text, "--center %g,%g: no ground to put a car on", start.x, start.y);
-  return TeError{text};
+  return TeError{teFormat("--center %g,%g: no ground to put a car on", start.x, start.y)};
 }
 
 /// What the car may see of the ground from the first tick on, so that a run does not depend on how soon the

@@ -1,23 +1,14 @@
 #include "apps/terrane-static/TeStaticDrawing.h"
 
-#include "generators/base/TeHash.h"
 #include "nodes/TeSceneRenderer.h"
 #include "nodes/context/TeViewer.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cstdio>
 
 namespace {
 
 constexpr int kSamplesPerPixel = 4;
-
-std::string hashText(const TePicture& picture) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx",
-                static_cast<unsigned long long>(teHashBytes(picture.rgba.data(), picture.rgba.size())));
-  return text;
-}
 
 /// What was drawn, by whom, and how fast.
 struct Drawn {
@@ -81,7 +72,6 @@ TeStatus teDrawStatic(SoNode* scene, const TeCommonOptions& options, TeReport& r
   report.addTime("frame_longest", drawn->longestSeconds);
   if (drawn->picture.rgba.empty())
     return {};
-  json["picture_size"] = {drawn->picture.width, drawn->picture.height};
-  json["picture_hash"] = hashText(drawn->picture);
+  report.addPicture(drawn->picture);
   return options.offscreen.empty() ? TeStatus() : drawn->picture.writePng(options.offscreen);
 }

@@ -1,7 +1,7 @@
 #include "engine/camera/TeCameraRig.h"
 
+#include "engine/TeStateHash.h"
 #include "engine/objects/TeObject.h"
-#include "generators/base/TeHash.h"
 #include "patchdb/TePatchDatabase.h"
 
 #include <Inventor/nodes/SoPerspectiveCamera.h>
@@ -54,10 +54,6 @@ glm::dquat lookAlong(const glm::dvec3& forward) {
   const glm::dvec3 back = -glm::normalize(forward);
   const glm::dvec3 right = glm::normalize(glm::cross(glm::dvec3(0, 0, 1), back));
   return glm::normalize(glm::quat_cast(glm::dmat3(right, glm::cross(back, right), back)));
-}
-
-std::uint64_t add(std::uint64_t hash, const glm::dvec3& v) {
-  return teHashDouble(teHashDouble(teHashDouble(hash, v.x + 0.0), v.y + 0.0), v.z + 0.0);
 }
 
 } // namespace
@@ -153,10 +149,7 @@ std::vector<std::string> TeCameraRig::helpLines() const {
 
 std::uint64_t TeCameraRig::stateHash() const {
   std::uint64_t hash = teHashCombine(std::uint64_t(m_person), std::uint64_t(m_keys.down().size()));
-  for (const Key key : m_keys.down())
-    hash = teHashCombine(hash, std::uint64_t(key));
-  hash = add(add(add(hash, m_moved[0]), m_moved[1]), m_eye);
-  for (const double part : {m_orientation.w, m_orientation.x, m_orientation.y, m_orientation.z})
-    hash = teHashDouble(hash, part + 0.0);
-  return hash;
+  hash = teHashState(hash, m_keys);
+  hash = teHashState(teHashState(teHashState(hash, m_moved[0]), m_moved[1]), m_eye);
+  return teHashState(hash, m_orientation);
 }

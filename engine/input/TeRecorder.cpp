@@ -1,6 +1,7 @@
 #include "engine/input/TeRecorder.h"
 
 #include "generators/base/TeHash.h"
+#include "generators/base/TeText.h"
 
 #include <cerrno>
 #include <cmath>
@@ -79,7 +80,7 @@ TeStatus TeRecorder::finish() {
   if (!m_stream)
     return TeError{m_file + ": the recording is finished already"};
   write(std::string(TeRecordingFormat::kEnd) + std::to_string(m_frames) + " ");
-  write(TeRecordingFormat::hashText(m_checksum) + "\n");
+  write(teHexText(m_checksum) + "\n");
   errno = 0;
   if (std::fclose(std::exchange(m_stream, nullptr)) != 0)
     fail(std::strerror(errno));

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
-#include <cstdio>
 
 namespace {
 
@@ -69,7 +68,7 @@ std::string TeRecordingFormat::settingFault(const std::string& name, const std::
 std::string TeRecordingFormat::frameLine(const TeRecordedFrame& frame) {
   std::string line = teNumberText(frame.dt);
   if (frame.stateHash)
-    line += " #" + hashText(*frame.stateHash);
+    line += " #" + teHexText(*frame.stateHash);
   for (const TeKeyEvent& event : frame.keys)
     line += " " + keyText(event);
   return line;
@@ -100,17 +99,11 @@ TeResult<TeRecordedFrame> TeRecordingFormat::parseFrame(std::string_view line) {
   return frame;
 }
 
-std::string TeRecordingFormat::hashText(std::uint64_t hash) {
-  char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
-  return text;
-}
-
 std::optional<std::uint64_t> TeRecordingFormat::parseHash(std::string_view text) {
   std::uint64_t hash = 0;
   const char* end = text.data() + text.size();
   const std::from_chars_result read = std::from_chars(text.data(), end, hash, 16);
-  if (read.ec != std::errc() || read.ptr != end || hashText(hash) != text)
+  if (read.ec != std::errc() || read.ptr != end || teHexText(hash) != text)
     return std::nullopt;
   return hash;
 }

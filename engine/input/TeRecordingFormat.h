@@ -37,6 +37,5 @@ struct TeRecordingFormat {
   static std::string frameLine(const TeRecordedFrame& frame);
   /// Error: the reason alone.
   static TeResult<TeRecordedFrame> parseFrame(std::string_view line);
-  static std::string hashText(std::uint64_t hash); ///< 16 hexadecimal digits
   static std::optional<std::uint64_t> parseHash(std::string_view text);
 };

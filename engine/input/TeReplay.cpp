@@ -1,6 +1,7 @@
 #include "engine/input/TeReplay.h"
 
 #include "engine/input/TeReplayReader.h"
+#include "generators/base/TeText.h"
 
 #include <cerrno>
 #include <cstring>
@@ -48,6 +49,5 @@ TeStatus TeReplay::compare(std::size_t frame, std::uint64_t stateHash) const {
     return {};
   return TeError{m_file + ":" + std::to_string(m_firstLine + frame) +
                  ": the run differs from the recording in frame " + std::to_string(frame) + ": state " +
-                 TeRecordingFormat::hashText(stateHash) + ", recorded " +
-                 TeRecordingFormat::hashText(*recorded)};
+                 teHexText(stateHash) + ", recorded " + teHexText(*recorded)};
 }

@@ -1,8 +1,9 @@
 #include "engine/objects/TeAircraft.h"
 
+#include "engine/TeStateHash.h"
 #include "engine/objects/TeAircraftModel.h"
 #include "engine/objects/TeTurn.h"
-#include "generators/base/TeHash.h"
+#include "generators/base/TeText.h"
 #include "patchdb/TePatchDatabase.h"
 
 #include <Inventor/nodes/SoSeparator.h>
@@ -13,7 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdio>
 #include <utility>
 
 namespace {
@@ -172,15 +172,9 @@ TeCollisionShape TeAircraft::collisionShape() const {
 std::vector<std::string> TeAircraft::hudLines() const {
   const glm::dvec3 ahead = forward();
   const double heading = std::atan2(ahead.x, ahead.y) * kDegrees;
-  char text[80];
-  std::vector<std::string> lines;
-  std::snprintf(text, sizeof text, "speed     %.1f m/s  %.0f km/h", speed(), speed() * 3.6);
-  lines.push_back(text);
-  std::snprintf(text, sizeof text, "heading   %.1f°", heading < 0 ? heading + 360 : heading);
-  lines.push_back(text);
-  std::snprintf(text, sizeof text, "climb     %+.1f m/s", velocity().z);
-  lines.push_back(text);
-  return lines;
+  return {teFormat("speed     %.1f m/s  %.0f km/h", speed(), speed() * 3.6),
+          teFormat("heading   %.1f°", heading < 0 ? heading + 360 : heading),
+          teFormat("climb     %+.1f m/s", velocity().z)};
 }
 
 std::vector<std::string> TeAircraft::helpLines() const {
@@ -188,10 +182,6 @@ std::vector<std::string> TeAircraft::helpLines() const {
 }
 
 std::uint64_t TeAircraft::stateHash() const {
-  std::uint64_t hash = TeObject::stateHash();
-  for (const double part : {m_forward.x, m_forward.y, m_forward.z, m_lateral})
-    hash = teHashDouble(hash, part + 0.0);
-  for (const Key key : m_keys.down())
-    hash = teHashCombine(hash, std::uint64_t(key));
-  return teHashCombine(hash, std::uint64_t(m_levelling));
+  const std::uint64_t motion = teHashState(teHashState(TeObject::stateHash(), m_forward), m_lateral);
+  return teHashCombine(teHashState(motion, m_keys), std::uint64_t(m_levelling));
 }

@@ -1,15 +1,15 @@
 #include "engine/objects/TeCar.h"
 
+#include "engine/TeStateHash.h"
 #include "engine/objects/TeCarModel.h"
 #include "engine/objects/TeDriveTrain.h"
 #include "engine/objects/TeTurn.h"
-#include "generators/base/TeHash.h"
+#include "generators/base/TeText.h"
 
 #include <glm/geometric.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace {
 
@@ -19,12 +19,6 @@ constexpr double kPi = 3.14159265358979323846;
 constexpr double kDegrees = 180 / kPi;
 /// No step is longer than a metre, however fast a program wants it to be.
 constexpr double kFastest = 100;
-
-template <class... Values> std::string line(const char* format, Values... values) {
-  char text[64];
-  std::snprintf(text, sizeof text, format, values...);
-  return text;
-}
 
 TeError notFinite(const std::string& name, const char* what) {
   return TeError{name + ": " + what + " must be finite"};
@@ -219,13 +213,13 @@ std::vector<std::string> TeCar::hudLines() const {
   const bool reverse = speed < 0 || (speed == 0 && m_controls.throttle < 0);
   const double angle = std::atan(m_steering) * kDegrees;
   const char* note = m_waiting ? "waiting for ground" : m_blocked ? "blocked" : isAuto() ? "automatic" : "";
-  return {line("speed     %.0f km/h  gear %s%s", std::fabs(speed) * 3.6, reverse ? "R" : "F",
-               m_controls.handBrake ? "  hand brake" : ""),
-          line("steering  %.0f° %s", std::fabs(angle),
-               angle > 0.5    ? "left"
-               : angle < -0.5 ? "right"
-                              : ""),
-          line("slope     %+.0f°  %s", std::asin(std::clamp(forward.z, -1.0, 1.0)) * kDegrees, note)};
+  return {teFormat("speed     %.0f km/h  gear %s%s", std::fabs(speed) * 3.6, reverse ? "R" : "F",
+                   m_controls.handBrake ? "  hand brake" : ""),
+          teFormat("steering  %.0f° %s", std::fabs(angle),
+                   angle > 0.5    ? "left"
+                   : angle < -0.5 ? "right"
+                                  : ""),
+          teFormat("slope     %+.0f°  %s", std::asin(std::clamp(forward.z, -1.0, 1.0)) * kDegrees, note)};
 }
 
 std::vector<std::string> TeCar::helpLines() const {
@@ -238,8 +232,8 @@ std::uint64_t TeCar::stateHash() const {
   std::uint64_t hash = teHashCombine(TeObject::stateHash(), m_controls.hash());
   hash = teHashCombine(hash, m_driver ? m_driver->hash() : 0);
   for (const double part : {m_heading.x, m_heading.y, m_steering, m_driven, m_rolled})
-    hash = teHashDouble(hash, part + 0.0); // 0 and -0 are equal
+    hash = teHashState(hash, part);
   for (const TeCarStance::Wheel& wheel : m_wheels)
-    hash = teHashDouble(teHashCombine(hash, std::uint64_t(wheel.onGround)), wheel.travel + 0.0);
+    hash = teHashState(teHashCombine(hash, std::uint64_t(wheel.onGround)), wheel.travel);
   return teHashCombine(hash, std::uint64_t(m_blocked) + 2 * std::uint64_t(m_waiting));
 }

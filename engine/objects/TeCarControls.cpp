@@ -1,6 +1,6 @@
 #include "engine/objects/TeCarControls.h"
 
-#include "generators/base/TeHash.h"
+#include "engine/TeStateHash.h"
 
 #include <algorithm>
 #include <array>
@@ -48,8 +48,5 @@ std::vector<std::string> TeCarControls::helpLines() {
 }
 
 std::uint64_t TeCarControls::hash() const {
-  std::uint64_t hash = teHashDouble(teHashDouble(std::uint64_t(handBrake), throttle), steering);
-  for (const SoKeyboardEvent::Key key : m_keys.down())
-    hash = teHashCombine(hash, std::uint64_t(key));
-  return hash;
+  return teHashState(teHashDouble(teHashDouble(std::uint64_t(handBrake), throttle), steering), m_keys);
 }

@@ -1,7 +1,7 @@
 #include "engine/objects/TeObject.h"
 
+#include "engine/TeStateHash.h"
 #include "engine/objects/TeObjects.h"
-#include "generators/base/TeHash.h"
 
 #include <glm/geometric.hpp>
 
@@ -15,11 +15,6 @@ bool finite(const glm::dvec3& v) { return std::isfinite(v.x) && std::isfinite(v.
 bool finite(const glm::dquat& q) {
   return std::isfinite(q.w) && std::isfinite(q.x) && std::isfinite(q.y) && std::isfinite(q.z);
 }
-
-/// 0 and -0 are equal, so their hashes are, too.
-std::uint64_t add(std::uint64_t hash, double value) { return teHashDouble(hash, value + 0.0); }
-
-std::uint64_t add(std::uint64_t hash, const glm::dvec3& v) { return add(add(add(hash, v.x), v.y), v.z); }
 
 } // namespace
 
@@ -61,10 +56,7 @@ bool TeObject::handleEvent(const TeKeyEvent&) { return false; }
 SoNode* TeObject::drawModel() { return nullptr; }
 
 std::uint64_t TeObject::stateHash() const {
-  std::uint64_t hash = add(add(teHashText(m_name), m_position), m_velocity);
-  for (const double part : {m_orientation.w, m_orientation.x, m_orientation.y, m_orientation.z})
-    hash = add(hash, part);
-  return hash;
+  return teHashState(teHashState(teHashState(teHashText(m_name), m_position), m_velocity), m_orientation);
 }
 
 void TeObject::stop() { m_velocity = glm::dvec3(0); }

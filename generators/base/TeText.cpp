@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cstdarg>
 #include <cstddef>
+#include <cstdio>
 
 std::string teQuoted(std::string_view text) {
   constexpr std::size_t kLongest = 60;
@@ -71,4 +73,17 @@ std::string teNumberText(double number) {
   char buffer[40];
   const std::to_chars_result end = std::to_chars(buffer, buffer + sizeof buffer, number);
   return std::string(buffer, end.ptr);
+}
+
+std::string teFormat(const char* format, ...) {
+  char text[kTeMostFormatted + 1];
+  std::va_list values;
+  va_start(values, format);
+  std::vsnprintf(text, sizeof text, format, values);
+  va_end(values);
+  return text;
+}
+
+std::string teHexText(std::uint64_t number) {
+  return teFormat("%016llx", static_cast<unsigned long long>(number));
 }

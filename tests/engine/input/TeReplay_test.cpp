@@ -3,6 +3,7 @@
 #include "engine/input/TeRecorder.h"
 #include "engine/input/TeTestRecording.h"
 #include "generators/base/TeHash.h"
+#include "generators/base/TeText.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -151,7 +152,7 @@ std::string forged(const std::string& frame) {
     text += line;
     checksum = teHashBytes(line.data(), line.size(), checksum);
   }
-  return text + TeRecordingFormat::hashText(checksum) + "\n";
+  return text + teHexText(checksum) + "\n";
 }
 
 TEST_F(TeReplayTest, NoFrameIsTakenThatMakesNoSense) {
