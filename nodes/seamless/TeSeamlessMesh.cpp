@@ -1,0 +1,77 @@
+#include "nodes/seamless/TeSeamlessMesh.h"
+
+#include <algorithm>
+
+namespace {
+
+/// Heights of the vertices of one part, morphed as the vertex shader does.
+class PartHeights {
+public:
+  PartHeights(const TeSeamlessPatch& patch, const TeSeamlessLayout& layout, const TeSeamlessHeights& heights,
+              float first, float second)
+      : m_layout(layout), m_heights(heights), m_cellsLog(layout.cellsLog(patch.level)),
+        m_column(patch.x << m_cellsLog),
+        m_row(patch.y << m_cellsLog), m_details{first, second, std::max(first, second)} {
+    const int finest = teDetailResolution(std::max(first, second));
+    m_heightLevel = layout.resolutionLog() - layout.spacingLog(patch.level, finest);
+  }
+
+  TeSeamlessMesh::Vertex vertex(const TePartVertex& vertex) const {
+    TeSeamlessMesh::Vertex result{column(vertex.x), row(vertex.y), at(vertex.x, vertex.y)};
+    const float detail = m_details[vertex.chain];
+    const std::uint8_t weight = teDetailWeight(detail);
+    if (weight == 255)
+      return result;
+    const int step = m_layout.maxResolution() / m_layout.resolutionOf(teDetailResolution(detail));
+    const int dx = (vertex.x / step) % 2 * step;
+    const int half = m_layout.maxResolution() / 2;
+    int dy = (vertex.y / step) % 2 * step;
+    if (dx == 0 && dy == 0)
+      return result;
+    // The cells' diagonals point to the centre of the patch.
+    if ((vertex.x < half) != (vertex.y < half))
+      dy = -dy;
+    const float middle = 0.5f * (at(vertex.x - dx, vertex.y - dy) + at(vertex.x + dx, vertex.y + dy));
+    result.height = middle + float(weight) * (1.0f / 255.0f) * (result.height - middle);
+    return result;
+  }
+
+private:
+  std::int32_t column(int x) const { return m_column + ((x << m_cellsLog) >> m_layout.maxResolutionLog()); }
+  std::int32_t row(int y) const { return m_row + ((y << m_cellsLog) >> m_layout.maxResolutionLog()); }
+  float at(int x, int y) const { return m_heights.height(column(x), row(y), m_heightLevel); }
+
+  const TeSeamlessLayout& m_layout;
+  const TeSeamlessHeights& m_heights;
+  int m_cellsLog;
+  std::int32_t m_column;
+  std::int32_t m_row;
+  float m_details[3]; ///< by TePartVertex::Chain
+  int m_heightLevel = 0;
+};
+
+void appendPart(const TePart& part, bool strip, const TeSeamlessParts& parts, const PartHeights& heights,
+                std::vector<TeSeamlessMesh::Triangle>& triangles) {
+  const auto vertex = [&](int index) {
+    const std::size_t number = std::size_t(part.firstVertex) + parts.indices()[std::size_t(index)];
+    return heights.vertex(parts.vertices()[number]);
+  };
+  for (int i = part.firstIndex; i < part.firstIndex + part.count; i += 3)
+    triangles.push_back({vertex(i), vertex(i + 1), vertex(i + 2), strip});
+}
+
+} // namespace
+
+void TeSeamlessMesh::appendPatch(const TeSeamlessPatch& patch, const TeSeamlessLayout& layout,
+                                 const TeSeamlessParts& parts, const TeSeamlessHeights& heights,
+                                 std::vector<Triangle>& triangles) {
+  for (int side = 0; side < 4; side++) {
+    const float first = patch.detail[std::size_t(side)];
+    const float second = patch.detail[std::size_t((side + 1) % 4)];
+    const int a = teDetailResolution(first);
+    appendPart(parts.tile(side, a), false, parts, PartHeights(patch, layout, heights, first, first),
+               triangles);
+    appendPart(parts.strip(side, a, teDetailResolution(second)), true, parts,
+               PartHeights(patch, layout, heights, first, second), triangles);
+  }
+}
