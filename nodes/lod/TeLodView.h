@@ -12,6 +12,9 @@ struct TeLodView {
   /// Perspective: the size in pixels of a metre at a distance of one metre, that is viewport height / 2 /
   /// tan(half the vertical field of view). Orthographic: pixels a metre, at any distance. More than 0.
   double focal = 1;
+  /// Metres by which the true eye may be nearer to anything than `eye`, which a viewer may hold still while
+  /// the camera trembles. The planes are always those of the true eye. Not negative.
+  double slack = 0;
   /// The first planeCount of them bound what is seen: dot(xyz, point) + w >= 0 inside; xyz is of unit length.
   std::array<glm::dvec4, 6> planes{};
   int planeCount = 0; ///< 0: everything is seen
