@@ -40,6 +40,7 @@ struct TeSeamlessSelection {
   double errorBound = 0;
   /// The document's precision factor that would have drawn every side at least as finely.
   double precision = 0;
-  /// The accuracy had to be lowered by this factor to stay within the budget of patches; else 1.
+  /// The accuracy had to be lowered by this factor (an exact one: to 1/64 pixel times it) to stay within the
+  /// budget of patches; else 1.
   double coarsening = 1;
 };
