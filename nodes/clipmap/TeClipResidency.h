@@ -18,8 +18,8 @@ struct TeClipWindow {
 /// south; sample (x, y) of level i is sample (2x, 2y) of level i + 1.
 struct TeClipResidency {
   int base = 0; ///< level that is whole; heights of lower levels are read from it
-  /// Of levels base .. base + windows.size() - 1; a level that is not up to date or could not be read is
-  /// empty, and all above it are not used.
+  /// Of levels base .. base + windows.size() - 1; empty for a level that is not up to date or
+  /// could not be read; what is drawn then uses no higher one.
   std::vector<TeClipWindow> windows;
 
   int top() const { return base + int(windows.size()) - 1; }

@@ -8,6 +8,11 @@ namespace {
 /// low .. high, with `size` samples a patch; beyond the terrain's rim none is needed.
 void spanInside(std::int32_t low, std::int32_t high, std::int32_t size, std::int32_t count,
                 std::int32_t& first, std::int32_t& last) {
+  if (high < low) { // nothing is inside
+    first = 0;
+    last = -1;
+    return;
+  }
   first = low <= 0 ? 0 : (low + size - 1) / size + 1;
   last = high >= size * count ? count - 1 : high / size - 2;
 }
@@ -39,20 +44,22 @@ TeDivisionLimits::Rect TeDivisionLimits::divisible(int level) const {
     spanOfChildren(parents.x0, parents.x1, parentCount, m_layout.branching(), rect.x0, rect.x1);
     spanOfChildren(parents.y0, parents.y1, parentCount, m_layout.branching(), rect.y0, rect.y1);
   }
-  const int heights = m_layout.resolutionLog() - m_layout.spacingLog(level, m_layout.levels() - 1);
-  if (heights <= m_residency->base)
-    return m_residency->holds(heights, 0, 0, 0, 0) ? rect : Rect{};
-  if (heights > m_residency->top())
-    return {};
-  const TeClipWindow& window = m_residency->windows[std::size_t(heights - m_residency->base)];
-  if (window.side <= 0)
-    return {};
-  Rect inside;
-  const std::int32_t size = m_layout.maxResolution();
-  spanInside(window.x, window.x + window.side - 1, size, count, inside.x0, inside.x1);
-  spanInside(window.y, window.y + window.side - 1, size, count, inside.y0, inside.y1);
-  return {std::max(rect.x0, inside.x0), std::max(rect.y0, inside.y0), std::min(rect.x1, inside.x1),
-          std::min(rect.y1, inside.y1)};
+  // Sides come to the highest resolution by way of all lower ones.
+  for (int index = 1; index < m_layout.levels(); index++) {
+    const int heights = m_layout.resolutionLog() - m_layout.spacingLog(level, index);
+    if (heights > m_residency->top())
+      return {};
+    if (heights <= m_residency->base)
+      continue;
+    const TeClipWindow& window = m_residency->windows[std::size_t(heights - m_residency->base)];
+    Rect inside;
+    const std::int32_t size = m_layout.resolutionOf(index);
+    spanInside(window.x, window.x + window.side - 1, size, count, inside.x0, inside.x1);
+    spanInside(window.y, window.y + window.side - 1, size, count, inside.y0, inside.y1);
+    rect = {std::max(rect.x0, inside.x0), std::max(rect.y0, inside.y0), std::min(rect.x1, inside.x1),
+            std::min(rect.y1, inside.y1)};
+  }
+  return rect;
 }
 
 bool TeDivisionLimits::exists(int level, std::int32_t x, std::int32_t y) const {
@@ -61,7 +68,7 @@ bool TeDivisionLimits::exists(int level, std::int32_t x, std::int32_t y) const {
 }
 
 int TeDivisionLimits::topIndex(const TeSideKey& side) const {
-  int top = m_layout.topIndex(side.level);
+  const int top = m_layout.topIndex(side.level);
   if (!m_residency)
     return top;
   const std::int32_t last = m_layout.patchesPerSide(side.level) - 1;
@@ -70,11 +77,13 @@ int TeDivisionLimits::topIndex(const TeSideKey& side) const {
   const std::int32_t y0 = std::max(0, side.y - side.horizontal), y1 = std::min(last, side.y);
   if (!exists(side.level, x0, y0) || !exists(side.level, x1, y1))
     return 0;
-  for (; top > 0; top--) {
-    const int log = m_layout.cellsLog(side.level) - m_layout.spacingLog(side.level, top);
-    if (m_residency->holds(m_layout.resolutionLog() - m_layout.spacingLog(side.level, top), x0 << log,
-                           y0 << log, (x1 + 1) << log, (y1 + 1) << log))
-      break;
+  // A side may come to any lower resolution too.
+  for (int index = 1; index <= top; index++) {
+    const int spacingLog = m_layout.spacingLog(side.level, index);
+    const int log = m_layout.cellsLog(side.level) - spacingLog;
+    if (!m_residency->holds(m_layout.resolutionLog() - spacingLog, x0 << log, y0 << log, (x1 + 1) << log,
+                            (y1 + 1) << log))
+      return index - 1;
   }
   return top;
 }
