@@ -3,14 +3,17 @@
 #include "nodes/seamless/TeSeamlessLayout.h"
 
 #include <array>
-#include <cmath>
 #include <cstdint>
 #include <vector>
 
-inline int teDetailResolution(float detail) { return int(std::ceil(detail)); }
+inline int teDetailResolution(float detail) {
+  const int below = int(detail);
+  return below + (float(below) < detail);
+}
 /// Morph weight of a detail, 0 .. 255 for 0 .. 1, as instances carry it.
 inline std::uint8_t teDetailWeight(float detail) {
-  return std::uint8_t(std::lround(255 * (1 - (std::ceil(detail) - detail))));
+  const float fraction = detail - float(int(detail));
+  return fraction > 0 ? std::uint8_t(255 * fraction + 0.5f) : std::uint8_t(255);
 }
 
 /// One patch to be drawn: tile and strips follow from the detail of its sides.

@@ -1,0 +1,156 @@
+#pragma once
+
+#include "nodes/lod/TeLodView.h"
+#include "nodes/lod/TeWatertight.h"
+#include "nodes/seamless/TeSeamlessMesh.h"
+#include "nodes/seamless/TeSeamlessSelector.h"
+
+#include <glm/geometric.hpp>
+#include <glm/vec2.hpp>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+/// A flat plain, for meshes of which only the shape counts.
+class FlatHeights final : public TeSeamlessHeights {
+public:
+  float height(std::int32_t, std::int32_t, int) const override { return 0; }
+};
+
+/// Heights of a map with all samples.
+class MapHeights final : public TeSeamlessHeights {
+public:
+  explicit MapHeights(const TeHeightMap& map) : m_map(map) {}
+  float height(std::int32_t column, std::int32_t row, int) const override { return m_map.at(column, row); }
+
+private:
+  const TeHeightMap& m_map;
+};
+
+/// Sees everything from a point.
+inline TeLodView viewFrom(const glm::dvec3& eye, double focal = 665.1) {
+  TeLodView view;
+  view.eye = eye;
+  view.focal = focal;
+  return view;
+}
+
+/// Cuts the view of a camera that looks along `direction` by planes through the eye.
+inline void lookAlong(TeLodView& view, const glm::dvec3& direction, double halfAngle) {
+  const glm::dvec3 forward = glm::normalize(direction);
+  const glm::dvec3 helper = std::abs(forward.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
+  const glm::dvec3 right = glm::normalize(glm::cross(forward, helper));
+  const glm::dvec3 up = glm::cross(right, forward);
+  view.planeCount = 0;
+  for (const glm::dvec3& across : {right, -right, up, -up}) {
+    const glm::dvec3 normal = std::sin(halfAngle) * forward + std::cos(halfAngle) * across;
+    view.planes[std::size_t(view.planeCount++)] = glm::dvec4(normal, -glm::dot(normal, view.eye));
+  }
+}
+
+/// Any eye a demo or an adversary may choose: over the square and far outside, high, low and below, on
+/// corners and edges of patches, and the numbers next to them.
+template <class Random> glm::dvec3 anyEye(Random& random, double side, double relief) {
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  glm::dvec3 eye(uniform(-0.3, 1.3) * side, uniform(-0.3, 1.3) * side, uniform(-0.2, 2) * relief);
+  if (random() % 3 == 0)
+    eye.z = relief * std::exp(uniform(-5, 5));
+  if (random() % 2 == 0) {
+    // On the lattice of patches.
+    const double step = side / double(1 << random() % 8);
+    for (int axis = 0; axis < 2; axis++)
+      if (random() % 4 != 0)
+        eye[axis] = std::round(eye[axis] / step) * step;
+    if (random() % 3 == 0)
+      eye.z = 0;
+    for (int axis = 0; axis < 3; axis++)
+      if (random() % 4 == 0)
+        eye[axis] = std::nextafter(eye[axis], random() % 2 ? 1e30 : -1e30);
+  }
+  return eye;
+}
+
+/// Gives the triangles of a selection to `mesh`, which is cleared.
+inline void meshOf(const TeSeamlessSelection& selection, const TeSeamlessLayout& layout,
+                   const TeSeamlessParts& parts, TeWatertight& mesh) {
+  mesh.clear();
+  for (const TeSeamlessPatch& patch : selection.patches) {
+    const int cellsLog = layout.cellsLog(patch.level), partLog = layout.maxResolutionLog();
+    const auto add = [&](const TePart& part) {
+      const auto vertex = [&](int index) {
+        const TePartVertex& v =
+            parts.vertices()[std::size_t(part.firstVertex) + parts.indices()[std::size_t(index)]];
+        const int row = (patch.y << cellsLog) + ((v.y << cellsLog) >> partLog);
+        const int column = (patch.x << cellsLog) + ((v.x << cellsLog) >> partLog);
+        return std::uint32_t(row * (layout.resolution() + 1) + column);
+      };
+      for (int i = part.firstIndex; i < part.firstIndex + part.count; i += 3)
+        mesh.add(vertex(i), vertex(i + 1), vertex(i + 2));
+    };
+    for (int side = 0; side < 4; side++) {
+      add(parts.tile(side, patch.resolution(side)));
+      add(parts.strip(side, patch.resolution(side), patch.resolution((side + 1) % 4)));
+    }
+  }
+}
+
+/// Windows as a clipmap may have them: around the eye or left behind, some levels missing.
+template <class Random>
+TeClipResidency anyResidency(Random& random, const TeSeamlessLayout& layout, int windowLog,
+                             glm::dvec2 centre) {
+  TeClipResidency residency;
+  residency.base = windowLog;
+  residency.windows.push_back({0, 0, (1 << windowLog) + 1});
+  for (int level = windowLog + 1; level <= layout.resolutionLog(); level++) {
+    const int samples = 1 << level;
+    const int side = (1 << windowLog) + 1;
+    const auto place = [&](double middle) {
+      const int moved = int(random() % 3 == 0 ? random() % std::uint32_t(side) : 0) - side / 2;
+      return std::clamp(int(middle * samples / layout.resolution()) + moved, 0, samples - side + 1);
+    };
+    TeClipWindow window{place(centre.x), place(centre.y), side};
+    if (random() % 12 == 0)
+      window.side = 0;
+    residency.windows.push_back(window);
+  }
+  return residency;
+}
+
+/// Maps that have broken LOD methods.
+enum class StressField { Rough, Spike, Cliff, Plateau, Checkerboard, Flat };
+
+template <class Random> TeHeightMap stressMap(StressField field, int resolution, Random& random) {
+  TeHeightMap map = TeHeightMap::create(resolution + 1, resolution + 1).value();
+  const int spikeX = int(random() % std::uint32_t(resolution + 1));
+  const int spikeY = int(random() % std::uint32_t(resolution + 1));
+  for (int y = 0; y <= resolution; y++)
+    for (int x = 0; x <= resolution; x++) {
+      float height = 0;
+      switch (field) {
+      case StressField::Rough:
+        height = float(20 * std::sin(x * 0.13) * std::cos(y * 0.11) + double(random() % 1000) * 0.01);
+        break;
+      case StressField::Spike:
+        height = x == spikeX && y == spikeY ? 100.0f : 0.0f;
+        break;
+      case StressField::Cliff:
+        height = x > spikeX ? 10000.0f : 0.0f;
+        break;
+      case StressField::Plateau:
+        height =
+            std::abs(x - resolution / 2) < spikeX && std::abs(y - resolution / 2) < spikeY ? 50.0f : 0.0f;
+        break;
+      case StressField::Checkerboard:
+        height = (x + y) % 2 ? 5.0f : 0.0f;
+        break;
+      case StressField::Flat:
+        height = 7;
+        break;
+      }
+      map.at(x, y) = height;
+    }
+  return map;
+}

@@ -1,0 +1,56 @@
+#include "nodes/seamless/TeSeamlessLists.h"
+
+#include "nodes/seamless/SeamlessViews.h"
+
+#include <gtest/gtest.h>
+
+#include <set>
+#include <tuple>
+
+static_assert(sizeof(TeSeamlessInstance) == 12, "what is uploaded for each part");
+
+// Each part of each patch exactly once, with the triangles of its resolutions.
+TEST(TeSeamlessLists, holdEachPartOnce) {
+  const TeSeamlessLayout layout = TeSeamlessLayout::create(512, 4, 3).value();
+  const TeSeamlessParts parts(layout);
+  TeSeamlessSelection selection;
+  TeSeamlessSelector(layout, nullptr)
+      .select(viewFrom({200, 130, 20}), TeSeamlessPlacement(), TeSeamlessAccuracy(), nullptr, selection);
+  TeSeamlessLists lists;
+  lists.build(selection, layout, parts);
+  ASSERT_EQ(lists.instances().size(), 8 * selection.patches.size());
+
+  std::set<std::tuple<int, int, int, int, int>> seen;
+  std::int64_t triangles = 0;
+  std::int32_t next = 0;
+  for (const TeSeamlessDraw& draw : lists.draws()) {
+    EXPECT_EQ(draw.firstInstance, next);
+    next += draw.instanceCount;
+    triangles += std::int64_t(draw.part.count) / 3 * draw.instanceCount;
+    for (std::int32_t i = draw.firstInstance; i < next; i++) {
+      const TeSeamlessInstance& instance = lists.instances()[std::size_t(i)];
+      EXPECT_TRUE(
+          seen.insert({instance.column, instance.row, instance.cellsLog, draw.strip, draw.orientation})
+              .second);
+      // All vertices of the part are samples of the height level.
+      const int spacing = instance.cellsLog - 2 - std::max(draw.first, draw.second);
+      EXPECT_EQ(instance.heightLevel, layout.resolutionLog() - spacing);
+    }
+  }
+  EXPECT_EQ(triangles, selection.triangles);
+  EXPECT_EQ(seen.size(), lists.instances().size());
+}
+
+TEST(TeSeamlessLists, areNoMoreThanTheDocumentsLists) {
+  const TeSeamlessLayout layout = TeSeamlessLayout::create(4096, 16, 3).value();
+  const TeSeamlessParts parts(layout);
+  TeSeamlessSelection selection;
+  TeSeamlessAccuracy accuracy;
+  accuracy.precision = 8;
+  TeSeamlessSelector(layout, nullptr)
+      .select(viewFrom({2000, 2100, 20}), TeSeamlessPlacement(), accuracy, nullptr, selection);
+  TeSeamlessLists lists;
+  lists.build(selection, layout, parts);
+  EXPECT_LE(lists.draws().size(), 4u * 3 * 4);
+  EXPECT_GT(lists.instances().size(), 1000u);
+}
