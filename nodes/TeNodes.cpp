@@ -1,5 +1,6 @@
 #include "nodes/TeNodes.h"
 
+#include "nodes/clipmap/SoTeClipmap.h"
 #include "nodes/terrain/SoTeStaticTerrain.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
 #include "nodes/terrain/SoTeTerrainMesh.h"
@@ -12,6 +13,7 @@ void TeNodes::init() {
   SoDB::init();
   SoNodeKit::init();
   SoInteraction::init();
+  SoTeClipmap::initClass();
   SoTeTerrainDetail::initClass();
   SoTeStaticTerrain::initClass();
   SoTeTerrainMesh::initClass();

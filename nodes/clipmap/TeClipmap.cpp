@@ -1,0 +1,5 @@
+#include "nodes/clipmap/TeClipmap.h"
+
+#include "nodes/TeNodes.h"
+
+void TeClipmap::initClass() { TeNodes::init(); }
