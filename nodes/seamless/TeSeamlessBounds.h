@@ -11,6 +11,11 @@
 struct TeHeightRange {
   float low = 0;
   float high = 0;
+
+  friend bool operator==(const TeHeightRange& a, const TeHeightRange& b) {
+    return a.low == b.low && a.high == b.high;
+  }
+  friend bool operator!=(const TeHeightRange& a, const TeHeightRange& b) { return !(a == b); }
 };
 
 /// What is known of the two patches at a side (or the one, on the rim) before any view: heights in the unit
