@@ -1,0 +1,307 @@
+#include "nodes/seamless/TeSeamlessRenderer.h"
+
+#include "nodes/seamless/TeSeamlessGlState.h"
+#include "nodes/seamless/TeSeamlessUniforms.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace {
+
+const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
+
+const void* indexOffset(const TeSeamlessDraw& draw) {
+  return offset(std::size_t(draw.part.firstIndex) * sizeof(std::uint16_t));
+}
+
+TeError lacks(const TeSeamlessLook& look, const std::string& what) {
+  return {"seamless patches: technique " + look.technique.name() + " needs " + what};
+}
+
+} // namespace
+
+TeSeamlessRenderer::TeSeamlessRenderer(std::uint32_t context, const TeSeamlessLayout& layout,
+                                       std::shared_ptr<const TeSeamlessParts> parts)
+    : m_context(context), m_layout(layout), m_parts(std::move(parts)), m_isUsable(m_gl.load(context)),
+      m_objects(m_gl), m_programs(m_gl, m_objects), m_textures(m_gl, m_objects) {}
+
+void TeSeamlessRenderer::freeAll() {
+  m_objects.removeAll();
+  m_programs.clear();
+  m_textures.clear();
+  m_vertices = m_indices = m_instances = m_texelSampler = m_colourSampler = 0;
+}
+
+TeResult<TeSeamlessCounts> TeSeamlessRenderer::draw(const TeSeamlessLists& lists, const TeSeamlessLook& look,
+                                                    const TeSeamlessFrame& frame) {
+  if (TeStatus status = check(look, frame); !status)
+    return status.error();
+  if (!frame.isValid() || lists.draws().empty())
+    return TeSeamlessCounts{};
+  const TeSeamlessGlState state(m_gl);
+  const std::int64_t before = m_textures.bytesUploaded() + m_staticBytes;
+  makeObjects();
+  const TeResult<Setup> setup = setUp(state, look, frame, false);
+  if (!setup)
+    return setup.error();
+  if (look.wireframe)
+    m_gl.polygonMode(GL_FRONT_AND_BACK, GL_LINE);
+  TeSeamlessCounts counts = drawLists(lists, look, *setup);
+  counts.bytesUploaded += m_textures.bytesUploaded() + m_staticBytes - before;
+  return counts;
+}
+
+TeResult<std::vector<TeSeamlessRenderer::DrawnVertex>>
+TeSeamlessRenderer::capture(const TeSeamlessLists& lists, const TeSeamlessLook& look,
+                            const TeSeamlessFrame& frame) {
+  if (TeStatus status = check(look, frame); !status)
+    return status.error();
+  std::vector<DrawnVertex> vertices;
+  if (!frame.isValid() || lists.draws().empty())
+    return vertices;
+  for (const TeSeamlessDraw& draw : lists.draws())
+    vertices.resize(vertices.size() + std::size_t(draw.part.count) * std::size_t(draw.instanceCount));
+  const TeSeamlessGlState state(m_gl);
+  makeObjects();
+  const TeResult<Setup> setup = setUp(state, look, frame, true);
+  if (!setup)
+    return setup.error();
+
+  GLint neighbour = 0;
+  m_gl.getIntegerv(GL_TRANSFORM_FEEDBACK_BUFFER_BINDING, &neighbour);
+  const GLsizeiptr bytes = GLsizeiptr(vertices.size() * sizeof(DrawnVertex));
+  GLuint buffer = 0;
+  m_gl.genBuffers(1, &buffer);
+  m_gl.bindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, buffer);
+  m_gl.bufferData(GL_TRANSFORM_FEEDBACK_BUFFER, bytes, nullptr, GL_STREAM_READ);
+  const bool discards = m_gl.isEnabled(GL_RASTERIZER_DISCARD);
+  m_gl.enable(GL_RASTERIZER_DISCARD);
+  m_gl.beginTransformFeedback(GL_TRIANGLES);
+  drawLists(lists, look, *setup);
+  m_gl.endTransformFeedback();
+  if (!discards)
+    m_gl.disable(GL_RASTERIZER_DISCARD);
+  m_gl.getBufferSubData(GL_TRANSFORM_FEEDBACK_BUFFER, 0, bytes, vertices.data());
+  m_gl.bindBufferBase(GL_TRANSFORM_FEEDBACK_BUFFER, 0, 0);
+  m_gl.bindBuffer(GL_TRANSFORM_FEEDBACK_BUFFER, GLuint(neighbour));
+  m_gl.deleteBuffers(1, &buffer);
+  return vertices;
+}
+
+TeStatus TeSeamlessRenderer::check(const TeSeamlessLook& look, const TeSeamlessFrame& frame) const {
+  if (!m_isUsable)
+    return TeError{"seamless patches: this OpenGL context cannot draw them"};
+  const int samples = m_layout.resolution() + 1;
+  if (look.technique.heights == TeSeamlessTechnique::Heightmap) {
+    if (!look.heights || look.heights->empty())
+      return lacks(look, "a height map");
+    if (look.heights->width() != samples || look.heights->height() != samples)
+      return lacks(look, "a height map of " + std::to_string(samples) + "x" + std::to_string(samples) +
+                             " samples, not " + std::to_string(look.heights->width()) + "x" +
+                             std::to_string(look.heights->height()));
+  }
+  if (look.technique.heights == TeSeamlessTechnique::Clipmaps) {
+    if (!frame.heightClipmap || !frame.heightClipmap->texture)
+      return lacks(look, "a clipmap of heights");
+    if (frame.heightClipmap->resolutionLog != m_layout.resolutionLog())
+      return lacks(look, "a clipmap of as many samples as the terrain's resolution says");
+  }
+  if (look.technique.colours == TeSeamlessTechnique::Texture && !look.texture && !frame.colourClipmap)
+    return lacks(look, "a texture");
+  if (look.technique.colours == TeSeamlessTechnique::Detailmaps) {
+    if (!look.mask)
+      return lacks(look, "a mask");
+    for (int i = 0; i < 4; i++)
+      if (!look.details[std::size_t(i)])
+        return lacks(look, "four detail textures; number " + std::to_string(i + 1) + " is missing");
+  }
+  return {};
+}
+
+TeSeamlessVariant TeSeamlessRenderer::variantOf(const TeSeamlessLook& look,
+                                                const TeSeamlessFrame& frame) const {
+  TeSeamlessVariant variant;
+  if (look.technique.heights == TeSeamlessTechnique::Heightmap)
+    variant.heights = TeSeamlessVariant::Map;
+  if (look.technique.heights == TeSeamlessTechnique::Clipmaps)
+    variant.heights = frame.heightClipmap->format == TeClipFormat::Short
+                          ? TeSeamlessVariant::ClipInteger
+                          : TeSeamlessVariant::ClipReal;
+  constexpr TeSeamlessVariant::Colours colours[] = {TeSeamlessVariant::Plain, TeSeamlessVariant::Texture,
+                                                    TeSeamlessVariant::Detailmaps, TeSeamlessVariant::Slope};
+  variant.colours = colours[look.technique.colours];
+  if (variant.colours == TeSeamlessVariant::Texture && frame.colourClipmap)
+    variant.colours = TeSeamlessVariant::ColourClipmap;
+  variant.morphs = look.geomorph && variant.heights != TeSeamlessVariant::Flat;
+  return variant;
+}
+
+TeResult<TeSeamlessRenderer::Setup> TeSeamlessRenderer::setUp(const TeSeamlessGlState& state,
+                                                              const TeSeamlessLook& look,
+                                                              const TeSeamlessFrame& frame, bool captures) {
+  TeSeamlessVariant variant = variantOf(look, frame);
+  if (!captures)
+    state.describe(variant);
+  variant.capturesVertices = captures;
+  if (TeStatus status = bindTextures(look, frame); !status)
+    return status.error();
+  const TeResult<const TeSeamlessProgram*> program = m_programs.get(variant);
+  if (!program)
+    return program.error();
+  m_gl.useProgram((*program)->name);
+  const TeSeamlessUniforms uniforms(m_gl, **program);
+  uniforms.setFrame(frame, m_layout);
+  uniforms.setLook(look, m_textures.slopeUnit());
+  return Setup{*program, state.material()};
+}
+
+TeStatus TeSeamlessRenderer::bindTextures(const TeSeamlessLook& look, const TeSeamlessFrame& frame) {
+  m_gl.bindSampler(TeSeamlessShader::kHeightsUnit, 0);
+  if (look.technique.heights == TeSeamlessTechnique::Heightmap) {
+    const TeResult<GLuint> heights = m_textures.heights(look.heights);
+    if (!heights)
+      return heights.error();
+    m_gl.bindTexture(GL_TEXTURE_2D, *heights);
+  } else if (look.technique.heights == TeSeamlessTechnique::Clipmaps) {
+    m_gl.bindTexture(GL_TEXTURE_2D_ARRAY, frame.heightClipmap->texture);
+    m_gl.bindSampler(TeSeamlessShader::kHeightsUnit, m_texelSampler);
+  }
+  const TeStatus status = bindColours(look, frame);
+  m_gl.activeTexture(GL_TEXTURE0);
+  return status;
+}
+
+TeStatus TeSeamlessRenderer::bindColours(const TeSeamlessLook& look, const TeSeamlessFrame& frame) {
+  const auto bind = [&](int unit, TeSeamlessTextures::Use use,
+                        const std::shared_ptr<const TePicture>& picture) -> TeStatus {
+    m_gl.activeTexture(GLenum(GL_TEXTURE0 + unit));
+    m_gl.bindSampler(GLuint(unit), 0);
+    const TeResult<GLuint> texture = m_textures.picture(use, picture);
+    if (!texture)
+      return texture.error();
+    m_gl.bindTexture(GL_TEXTURE_2D, *texture);
+    return {};
+  };
+  const int unit = TeSeamlessShader::kColoursUnit;
+  if (look.technique.colours == TeSeamlessTechnique::Texture) {
+    if (!frame.colourClipmap)
+      return bind(unit, TeSeamlessTextures::Colours, look.texture);
+    m_gl.activeTexture(GLenum(GL_TEXTURE0 + unit));
+    m_gl.bindTexture(GL_TEXTURE_2D_ARRAY, frame.colourClipmap->texture);
+    m_gl.bindSampler(GLuint(unit), m_colourSampler);
+  }
+  if (look.technique.colours != TeSeamlessTechnique::Detailmaps)
+    return {};
+  for (int i = 0; i < 4; i++) {
+    const auto use = TeSeamlessTextures::Use(TeSeamlessTextures::FirstDetail + i);
+    if (TeStatus status = bind(TeSeamlessShader::kFirstDetailUnit + i, use, look.details[std::size_t(i)]);
+        !status)
+      return status;
+  }
+  return bind(unit, TeSeamlessTextures::Colours, look.mask);
+}
+
+void TeSeamlessRenderer::makeObjects() {
+  if (m_vertices)
+    return;
+  const auto make = [&](const void* data, std::size_t bytes) {
+    const GLuint buffer = m_objects.addBuffer();
+    m_gl.bindBuffer(GL_ARRAY_BUFFER, buffer);
+    m_gl.bufferData(GL_ARRAY_BUFFER, GLsizeiptr(bytes), data, GL_STATIC_DRAW);
+    m_staticBytes += std::int64_t(bytes);
+    return buffer;
+  };
+  const std::vector<TePartVertex>& vertices = m_parts->vertices();
+  const std::vector<std::uint16_t>& indices = m_parts->indices();
+  m_vertices = make(vertices.data(), vertices.size() * sizeof(TePartVertex));
+  m_indices = make(indices.data(), indices.size() * sizeof(std::uint16_t));
+  m_instances = m_objects.addBuffer();
+  const auto sampler = [&](GLint filter) {
+    const GLuint name = m_objects.addSampler();
+    m_gl.samplerParameteri(name, GL_TEXTURE_MIN_FILTER, filter);
+    m_gl.samplerParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
+    m_gl.samplerParameteri(name, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    m_gl.samplerParameteri(name, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    return name;
+  };
+  m_texelSampler = sampler(GL_NEAREST);
+  m_colourSampler = sampler(GL_LINEAR);
+}
+
+TeSeamlessCounts TeSeamlessRenderer::drawLists(const TeSeamlessLists& lists, const TeSeamlessLook& look,
+                                               const Setup& setup) {
+  TeSeamlessCounts counts;
+  m_gl.bindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices);
+  m_gl.bindBuffer(GL_ARRAY_BUFFER, m_vertices);
+  m_gl.vertexAttribIPointer(TeSeamlessShader::kVertexAttribute, 3, GL_UNSIGNED_SHORT, sizeof(TePartVertex),
+                            nullptr);
+  m_gl.enableVertexAttribArray(TeSeamlessShader::kVertexAttribute);
+  if (look.technique.instanced) {
+    const std::size_t bytes = lists.instances().size() * sizeof(TeSeamlessInstance);
+    m_gl.bindBuffer(GL_ARRAY_BUFFER, m_instances);
+    // New storage each frame: the old one may still be read from.
+    m_gl.bufferData(GL_ARRAY_BUFFER, GLsizeiptr(bytes), lists.instances().data(), GL_STREAM_DRAW);
+    counts.bytesUploaded += std::int64_t(bytes);
+    for (const GLuint attribute : {TeSeamlessShader::kCornerAttribute, TeSeamlessShader::kPlaceAttribute}) {
+      m_gl.enableVertexAttribArray(attribute);
+      m_gl.vertexAttribDivisor(attribute, 1);
+    }
+    bindInstances(0);
+  }
+  for (const TeSeamlessDraw& draw : lists.draws()) {
+    setDraw(draw, look, setup);
+    if (look.technique.instanced)
+      drawInstanced(draw);
+    else
+      drawEach(draw, lists.instances());
+    counts.drawCalls += look.technique.instanced ? 1 : draw.instanceCount;
+    counts.instances += draw.instanceCount;
+    counts.triangles += std::int64_t(draw.part.count / 3) * draw.instanceCount;
+  }
+  return counts;
+}
+
+void TeSeamlessRenderer::setDraw(const TeSeamlessDraw& draw, const TeSeamlessLook& look,
+                                 const Setup& setup) const {
+  const auto step = [&](int index) { return m_layout.maxResolution() / m_layout.resolutionOf(index); };
+  m_gl.uniform4i(setup.program->chainStep, step(draw.first), step(draw.second),
+                 step(std::max(draw.first, draw.second)), int(draw.second) - int(draw.first));
+  glm::vec4 material = setup.material;
+  if (look.technique.colours == TeSeamlessTechnique::Color)
+    material *= glm::vec4(draw.strip ? look.stripColour : look.tileColour, 1);
+  m_gl.uniform4fv(setup.program->material, 1, &material[0]);
+}
+
+void TeSeamlessRenderer::bindInstances(std::int32_t first) const {
+  const std::size_t start = std::size_t(first) * sizeof(TeSeamlessInstance);
+  m_gl.vertexAttribIPointer(TeSeamlessShader::kCornerAttribute, 2, GL_INT, sizeof(TeSeamlessInstance),
+                            offset(start + offsetof(TeSeamlessInstance, column)));
+  m_gl.vertexAttribIPointer(TeSeamlessShader::kPlaceAttribute, 4, GL_UNSIGNED_BYTE,
+                            sizeof(TeSeamlessInstance),
+                            offset(start + offsetof(TeSeamlessInstance, cellsLog)));
+}
+
+void TeSeamlessRenderer::drawInstanced(const TeSeamlessDraw& draw) const {
+  if (m_gl.drawElementsInstancedBaseVertexBaseInstance) {
+    m_gl.drawElementsInstancedBaseVertexBaseInstance(GL_TRIANGLES, draw.part.count, GL_UNSIGNED_SHORT,
+                                                     indexOffset(draw), draw.instanceCount,
+                                                     draw.part.firstVertex, GLuint(draw.firstInstance));
+    return;
+  }
+  bindInstances(draw.firstInstance);
+  m_gl.drawElementsInstancedBaseVertex(GL_TRIANGLES, draw.part.count, GL_UNSIGNED_SHORT, indexOffset(draw),
+                                       draw.instanceCount, draw.part.firstVertex);
+}
+
+void TeSeamlessRenderer::drawEach(const TeSeamlessDraw& draw,
+                                  const std::vector<TeSeamlessInstance>& instances) const {
+  for (std::int32_t i = draw.firstInstance; i < draw.firstInstance + draw.instanceCount; i++) {
+    const TeSeamlessInstance& instance = instances[std::size_t(i)];
+    m_gl.vertexAttribI4i(TeSeamlessShader::kCornerAttribute, instance.column, instance.row, 0, 1);
+    m_gl.vertexAttribI4ui(TeSeamlessShader::kPlaceAttribute, instance.cellsLog, instance.heightLevel,
+                          instance.weightFirst, instance.weightSecond);
+    m_gl.drawElementsBaseVertex(GL_TRIANGLES, draw.part.count, GL_UNSIGNED_SHORT, indexOffset(draw),
+                                draw.part.firstVertex);
+  }
+}
