@@ -39,11 +39,11 @@ std::shared_ptr<TePyramidTiles> SoTeClipmap::getTiles() {
   return m_tiles;
 }
 
-TeResult<std::unique_ptr<TeClipWindows>> SoTeClipmap::makeWindows() {
+TeResult<std::unique_ptr<TeClipWindows>> SoTeClipmap::makeWindows(int highestLevel) {
   update();
   if (!m_tiles)
     return TeError{m_error};
-  return TeClipWindows::create(m_tiles, size.getValue());
+  return TeClipWindows::create(m_tiles, size.getValue(), highestLevel);
 }
 
 TeClipFormat SoTeClipmap::getFormat() const {

@@ -51,8 +51,9 @@ public:
   /// The files' samples, opened if necessary; null if they cannot be. Replaced after a field has changed that
   /// has to do with the files: users that hold another pointer than this have to begin anew.
   std::shared_ptr<TePyramidTiles> getTiles();
-  /// A clipmap over getTiles(), for one context. Error: getError(), or what TeClipWindows::create() says.
-  TeResult<std::unique_ptr<TeClipWindows>> makeWindows();
+  /// Windows over getTiles(), for one context. `highestLevel`: levels above are not held, -1 for all. Error:
+  /// getError(), or what TeClipWindows::create() says.
+  TeResult<std::unique_ptr<TeClipWindows>> makeWindows(int highestLevel = -1);
   /// Of the textures.
   TeClipFormat getFormat() const;
   /// What TeClipWindows::update() takes; a negative field counts as 0.

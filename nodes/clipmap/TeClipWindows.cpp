@@ -162,8 +162,9 @@ std::int64_t TeClipWindows::follow(int level, std::int64_t samples) {
       return extend(level, to, samples);
     }
   }
-  // Where more comes in per update than can be loaded it would never be whole.
-  if (missing > samples && moved.motion > samples)
+  // Too little for a row; or more comes in with each update than can be loaded, so that it would never be
+  // whole.
+  if (missing > samples && (samples < m_side || moved.motion > samples))
     return 0;
   if (isWhole(moved) && !common.isEmpty())
     m_statistics.windowMoves++;

@@ -1,6 +1,7 @@
 #include "nodes/terrain/SoTeStaticTerrain.h"
 
 #include "nodes/TeSceneFile.h"
+#include "nodes/coinWarnings.h"
 #include "nodes/readScene.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
 
@@ -10,7 +11,6 @@
 #include <Inventor/actions/SoGetPrimitiveCountAction.h>
 #include <Inventor/actions/SoRayPickAction.h>
 #include <Inventor/actions/SoSearchAction.h>
-#include <Inventor/errors/SoDebugError.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoIndexedTriangleStripSet.h>
 #include <Inventor/nodes/SoPickStyle.h>
@@ -37,23 +37,6 @@ int triangles(SoNode* root) {
   count.apply(root);
   return count.getTriangleCount();
 }
-
-/// Warnings of Coin and of nodes for as long as it lives.
-class Warnings {
-public:
-  Warnings() { SoDebugError::setHandlerCallback(note, this); }
-  ~Warnings() { SoDebugError::setHandlerCallback(m_handler, m_data); }
-  Warnings(const Warnings&) = delete;
-  Warnings& operator=(const Warnings&) = delete;
-  std::vector<std::string> lines;
-
-private:
-  SoErrorCB* m_handler = SoDebugError::getHandlerCallback();
-  void* m_data = SoDebugError::getHandlerData();
-  static void note(const SoError* error, void* data) {
-    static_cast<Warnings*>(data)->lines.push_back(error->getDebugString().getString());
-  }
-};
 
 template <class Node> int countNodes(SoNode* root) {
   SoSearchAction search;
@@ -207,7 +190,7 @@ TEST(SoTeStaticTerrain, BadFieldsGiveOneWarningAndNothing) {
                              "file \"/nonexistent.tif\"",
                              "file \"/dev/null\"",
                              "file \"/dev/null\" verticalUnit \"furlongs\""}) {
-    const Warnings warnings;
+    const CoinWarnings warnings;
     auto root = readScene(std::string("TeStaticTerrain { ") + fields + " }");
     ASSERT_TRUE(root) << fields;
     EXPECT_EQ(triangles(root.get()), 0) << fields;
@@ -225,7 +208,7 @@ TEST(SoTeStaticTerrain, NotANumberIsOneWarning) {
   SoTeStaticTerrain* terrain = terrainOf(root.get());
   EXPECT_GT(triangles(root.get()), 0);
   const auto expectNothing = [&](const char* field) {
-    const Warnings warnings;
+    const CoinWarnings warnings;
     EXPECT_EQ(triangles(root.get()), 0) << field;
     EXPECT_EQ(warnings.lines.size(), 1u) << field;
   };
@@ -249,7 +232,7 @@ TEST(SoTeStaticTerrain, NotANumberIsOneWarning) {
 }
 
 TEST(SoTeStaticTerrain, GoodFieldsAfterBadOnesDraw) {
-  const Warnings warnings;
+  const CoinWarnings warnings;
   const auto root = readScene("TeStaticTerrain { samples 16 }");
   EXPECT_EQ(triangles(root.get()), 0);
   terrainOf(root.get())->samples = 17;
