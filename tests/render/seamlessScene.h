@@ -59,14 +59,15 @@ inline std::function<float(const TeSideKey&)> variedDetail(const TeSeamlessLayou
   };
 }
 
-inline std::shared_ptr<const TeHeightMap> hillyMap(int resolution, float height = 40) {
+inline std::shared_ptr<const TeHeightMap> hillyMap(int resolution, float height = 40, float mean = 0) {
   auto map = TeHeightMap::create(resolution + 1, resolution + 1);
   EXPECT_TRUE(map);
   for (int y = 0; y <= resolution; y++)
     for (int x = 0; x <= resolution; x++) {
       const double u = double(x) / resolution, v = double(y) / resolution;
-      map->at(x, y) = float(height * (std::sin(9 * u) * std::cos(7 * v) + 0.3 * std::sin(31 * u + 17 * v) +
-                                      0.1 * std::sin(140 * u) * std::cos(120 * v)));
+      map->at(x, y) =
+          mean + float(height * (std::sin(9 * u) * std::cos(7 * v) + 0.3 * std::sin(31 * u + 17 * v) +
+                                 0.1 * std::sin(140 * u) * std::cos(120 * v)));
     }
   return std::make_shared<const TeHeightMap>(std::move(*map));
 }
@@ -103,7 +104,20 @@ struct SeamlessScene {
         },
         this);
   }
-  void select(const TeSeamlessSelection& selection) { lists.build(selection, layout, *parts); }
+  void select(const TeSeamlessSelection& chosen) {
+    selection = chosen;
+    lists.build(selection, layout, *parts);
+  }
+  /// As an eye near the middle of the terrain needs it.
+  void selectAround(float precision, bool geomorph, const TeClipResidency* residency = nullptr) {
+    TeLodView view;
+    view.eye = placement.corner + glm::dvec3(0.45, 0.55, 0.05) * double(layout.resolution());
+    TeSeamlessAccuracy accuracy;
+    accuracy.precision = precision;
+    accuracy.geomorph = geomorph;
+    TeSeamlessSelector(layout, nullptr).select(view, placement, accuracy, residency, selection);
+    select(TeSeamlessSelection(selection));
+  }
 
   void render(SoState* state) {
     const SbMatrix model = SoModelMatrixElement::get(state);
@@ -130,6 +144,7 @@ struct SeamlessScene {
   TeSeamlessLayout layout;
   std::shared_ptr<TeSeamlessParts> parts;
   std::unique_ptr<TeSeamlessDrawing> drawing;
+  TeSeamlessSelection selection;
   TeSeamlessLists lists;
   TeSeamlessLook look;
   TeSeamlessPlacement placement;
