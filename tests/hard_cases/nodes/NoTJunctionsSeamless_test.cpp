@@ -16,8 +16,11 @@ void tryCamera(std::mt19937& random, const TeSeamlessSelector& selector, const T
   const TeSeamlessLayout& layout = selector.layout();
   const double relief = std::max(1.0f, selector.bounds()->range(0, 0, 0).high);
   TeSeamlessPlacement placement;
-  placement.corner = {double(random() % 1000), -double(random() % 1000), 0};
-  placement.spacing = std::exp(double(random() % 100) / 25 - 2);
+  // At spacing 1 eyes on the lattice and next to it stay there: rounding must not decide what fits.
+  if (random() % 2) {
+    placement.corner = {double(random() % 1000), -double(random() % 1000), 0};
+    placement.spacing = std::exp(double(random() % 100) / 25 - 2);
+  }
   TeSeamlessAccuracy accuracy;
   accuracy.precision = random() % 4 == 0 ? 1 : 1 + double(random() % 1000) / 200;
   accuracy.geomorph = random() % 2;
@@ -51,7 +54,7 @@ void tryCamera(std::mt19937& random, const TeSeamlessSelector& selector, const T
 TEST(HardCase, NoTJunctionsSeamless) {
   std::mt19937 random(4);
   Tried tried;
-  const int sizes[][3] = {{128, 2, 2}, {128, 4, 2}, {64, 2, 3}, {128, 2, 3}, {128, 4, 4}, {32, 8, 2}};
+  const int sizes[][3] = {{64, 2, 2}, {128, 4, 2}, {64, 2, 3}, {64, 4, 3}, {128, 4, 4}, {32, 8, 2}};
   for (int field = 0; field <= int(StressField::Flat); field++)
     for (const auto& size : sizes) {
       const auto layout = TeSeamlessLayout::create(size[0], size[1], size[2]).value();
