@@ -73,6 +73,13 @@ double TeSideMetric::distanceToBox(const TeSideKey& side, double across, double 
   return std::max(0.0, std::sqrt(dx * dx + dy * dy + dz * dz) - m_slack);
 }
 
+double TeSideMetric::distanceToTiles(const TeSideKey& side, const TeSideBounds& bounds) const {
+  // Both tiles lie in both boxes. An undivided patch's own errors are then no larger than the one beyond.
+  const TeHeightRange range{std::max(bounds.range.low, bounds.beyondRange.low),
+                            std::min(bounds.range.high, bounds.beyondRange.high)};
+  return distanceToBox(side, 0.5 * m_layout.cells(side.level), 0, range);
+}
+
 double TeSideMetric::division(int level, std::int32_t x, std::int32_t y) const {
   const auto sideOf = [&](int side) { return TeSeamlessLayout::sideOf(level, x, y, TeSide(side)); };
   if (m_byError) {
@@ -111,7 +118,7 @@ float TeSideMetric::detail(const TeSideKey& side) const {
   const TeSideBounds bounds = m_bounds->side(side);
   if (bounds.error[0] == 0)
     return 0;
-  const double distance = distanceToBox(side, 0.5 * m_layout.cells(side.level), 0, bounds.range);
+  const double distance = distanceToTiles(side, bounds);
   if (m_geomorph) {
     constexpr double kStart = TeSeamlessBounds::kMorphRatio;
     double detail = 0;
@@ -146,7 +153,7 @@ double TeSideMetric::errorPixels(const TeSideKey& side, int index) const {
   if (bounds.error[index] == 0)
     return 0;
   return m_pixels * double(bounds.error[index]) /
-         distanceToBox(side, 0.5 * m_layout.cells(side.level), 0, bounds.range);
+         distanceToTiles(side, bounds);
 }
 
 double TeSideMetric::squaredPrecision(const TeSideKey& side, int index) const {

@@ -38,6 +38,8 @@ private:
   double squaredDistance(const TeSideKey& side) const;
   double distanceToBox(const TeSideKey& side, double across, double along, TeHeightRange range) const;
   double divisionByError(const TeSideKey& side) const;
+  /// To all that is drawn at a side's resolution.
+  double distanceToTiles(const TeSideKey& side, const TeSideBounds& bounds) const;
 
   const TeSeamlessLayout& m_layout;
   const TeSeamlessBounds* m_bounds;
