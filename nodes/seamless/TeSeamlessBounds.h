@@ -83,6 +83,13 @@ public:
   const Measured& measured() const { return m_measured; }
   TeHeightRange range(int level, std::int32_t x, std::int32_t y) const;
   TeSideBounds side(const TeSideKey& key) const;
+  /// Of the same; above the deepest level.
+  float beyond(const TeSideKey& key) const {
+    return m_beyond[std::size_t(key.level)][std::size_t(m_layout.sideIndex(key))];
+  }
+  TeHeightRange beyondRange(const TeSideKey& key) const {
+    return m_beyondRanges[std::size_t(key.level)][std::size_t(m_layout.sideIndex(key))];
+  }
   /// The box for TeSideBounds::beyond reaches so far on both sides of a side, and beyond both of its ends; in
   /// samples' distances. It may reach beyond the terrain. 0 at the deepest level.
   double beyondAcross(int level) const { return m_across[std::size_t(level)]; }

@@ -1,6 +1,7 @@
 #include "nodes/seamless/TeSeamlessSelector.h"
 
 #include "nodes/seamless/TeDivisionLimits.h"
+#include "nodes/seamless/TePatchMemo.h"
 #include "nodes/seamless/TeSideMetric.h"
 
 #include <algorithm>
@@ -15,13 +16,14 @@ class Walk {
 public:
   Walk(const TeSeamlessLayout& layout, const TeSeamlessBounds* bounds, const TeSeamlessPlacement& placement,
        const TeLodView& view, const TeSeamlessAccuracy& accuracy, const TeDivisionLimits& limits,
-       double coarsening, TeSeamlessSelection& selection)
+       double coarsening, TePatchMemo& memo, TeSeamlessSelection& selection)
       : m_layout(layout), m_bounds(bounds), m_placement(placement), m_view(view), m_limits(limits),
         m_metric(layout, bounds, placement, view, accuracy, coarsening), m_maxPatches(accuracy.maxPatches),
-        m_selection(selection) {}
+        m_memo(memo), m_selection(selection) {}
 
   /// False: more patches than the budget.
   bool run() {
+    m_memo.clear();
     m_selection.patches.clear();
     m_selection.traversed = m_selection.culled = m_selection.triangles = 0;
     m_selection.errorBound = m_bounds ? 0 : std::numeric_limits<double>::infinity();
@@ -38,7 +40,7 @@ private:
       m_selection.culled++;
       return true;
     }
-    const double division = m_metric.division(level, x, y);
+    const double division = divisionOf(level, x, y);
     if (!(division > m_metric.threshold(level)) || !m_limits.mayDivide(level, x, y)) {
       add(level, x, y, division);
       return std::int64_t(m_selection.patches.size()) <= m_maxPatches;
@@ -49,6 +51,12 @@ private:
         if (!visit(level + 1, x * branching + column, y * branching + row, planes))
           return false;
     return true;
+  }
+
+  double divisionOf(int level, std::int32_t x, std::int32_t y) {
+    if (!m_metric.asksNeighbours())
+      return m_metric.division(level, x, y);
+    return m_memo.get(level, x, y, [&] { return m_metric.division(level, x, y); });
   }
 
   void add(int level, std::int32_t x, std::int32_t y, double division) {
@@ -79,14 +87,14 @@ private:
     return m_limits.mayDivide(level, x, y) ? m_metric.detailBefore(division, level) : 0.0f;
   }
 
-  float neighbourPreparing(int level, std::int32_t x, std::int32_t y, int side) const {
+  float neighbourPreparing(int level, std::int32_t x, std::int32_t y, int side) {
     const std::int32_t neighbourX = x + (side == TeEast) - (side == TeWest);
     const std::int32_t neighbourY = y + (side == TeNorth) - (side == TeSouth);
     const std::int32_t count = m_layout.patchesPerSide(level);
     if (neighbourX < 0 || neighbourY < 0 || neighbourX >= count || neighbourY >= count ||
         !m_limits.mayDivide(level, neighbourX, neighbourY))
       return 0;
-    return m_metric.detailBefore(m_metric.division(level, neighbourX, neighbourY), level);
+    return m_metric.detailBefore(divisionOf(level, neighbourX, neighbourY), level);
   }
 
   /// Leaves in `planes` those that cut the patch's box.
@@ -134,6 +142,7 @@ private:
   const TeSideMetric m_metric;
   const std::int64_t m_maxPatches;
   double m_squaredPrecision = 0;
+  TePatchMemo& m_memo;
   TeSeamlessSelection& m_selection;
 };
 
@@ -150,6 +159,7 @@ void TeSeamlessSelector::select(const TeLodView& view, const TeSeamlessPlacement
                                 TeSeamlessSelection& selection) const {
   assert(accuracy.maxPatches >= 1 && placement.spacing > 0 && placement.heightScale >= 0);
   assert(m_bounds || (!accuracy.exact && !(accuracy.pixelError > 0)));
+  thread_local TePatchMemo memo; // as large as the largest selection of the thread
   const TeDivisionLimits limits(m_layout, residency);
   // At some coarsening one patch is enough for any error; the document's precision ends at 1.
   constexpr double kMaxCoarsening = 1e30;
@@ -160,7 +170,7 @@ void TeSeamlessSelector::select(const TeLodView& view, const TeSeamlessPlacement
     TeSeamlessAccuracy tried = accuracy;
     if (!mayBeCoarser)
       tried.maxPatches = std::numeric_limits<int>::max();
-    if (Walk(m_layout, m_bounds.get(), placement, view, tried, limits, coarsening, selection).run())
+    if (Walk(m_layout, m_bounds.get(), placement, view, tried, limits, coarsening, memo, selection).run())
       return;
   }
 }

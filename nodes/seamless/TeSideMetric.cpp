@@ -83,6 +83,8 @@ double TeSideMetric::distanceToTiles(const TeSideKey& side, const TeSideBounds& 
 double TeSideMetric::division(int level, std::int32_t x, std::int32_t y) const {
   const auto sideOf = [&](int side) { return TeSeamlessLayout::sideOf(level, x, y, TeSide(side)); };
   if (m_byError) {
+    if (level == m_layout.depth() - 1)
+      return 0;
     double division = 0;
     for (int side = 0; side < 4; side++)
       division = std::max(division, divisionByError(sideOf(side)));
@@ -95,12 +97,12 @@ double TeSideMetric::division(int level, std::int32_t x, std::int32_t y) const {
 }
 
 double TeSideMetric::divisionByError(const TeSideKey& side) const {
-  const TeSideBounds bounds = m_bounds->side(side);
-  if (bounds.beyond == 0)
+  const float beyond = m_bounds->beyond(side);
+  if (beyond == 0)
     return 0;
-  return m_errorScale * double(bounds.beyond) /
+  return m_errorScale * double(beyond) /
          distanceToBox(side, m_bounds->beyondAcross(side.level), m_bounds->beyondAlong(side.level),
-                       bounds.beyondRange);
+                       m_bounds->beyondRange(side));
 }
 
 float TeSideMetric::detail(const TeSideKey& side) const {
@@ -152,8 +154,7 @@ double TeSideMetric::errorPixels(const TeSideKey& side, int index) const {
   const TeSideBounds bounds = m_bounds->side(side);
   if (bounds.error[index] == 0)
     return 0;
-  return m_pixels * double(bounds.error[index]) /
-         distanceToTiles(side, bounds);
+  return m_pixels * double(bounds.error[index]) / distanceToTiles(side, bounds);
 }
 
 double TeSideMetric::squaredPrecision(const TeSideKey& side, int index) const {
