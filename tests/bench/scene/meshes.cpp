@@ -2,9 +2,9 @@
 // (TePatchGraphBuilder) against SoTeTerrainMesh. CPU time of the drawing thread: llvmpipe fills in others, so
 // that other programs disturb little. scene-bench [--context egl|osmesa] [Google Benchmark's options]
 
+#include "bench/scene/benchContext.h"
 #include "generators/TeGeneratorRegistry.h"
 #include "generators/base/TeAllowance.h"
-#include "nodes/TeNodes.h"
 #include "nodes/TePatchGraphBuilder.h"
 #include "nodes/TeSceneRenderer.h"
 #include "nodes/terrain/TeMeshModelJob.h"
@@ -24,8 +24,6 @@
 #include <string>
 
 namespace {
-
-TeContext* context = nullptr;
 
 constexpr int kWidth = 320;
 constexpr int kHeight = 240;
@@ -61,7 +59,7 @@ public:
     m_root->addChild(sun);
     const std::vector<TePatchMeshPtr>& meshes = pieces(n);
     buildMs = timed([&] { ownNodes ? addMeshes(meshes) : addCoins(meshes); });
-    m_renderer = std::move(TeSceneRenderer::create(*context, kWidth, kHeight).value());
+    m_renderer = std::move(TeSceneRenderer::create(*benchContext, kWidth, kHeight).value());
     m_renderer->setFitClipPlanes(false);
     firstMs = frame();
     for (int i = 1; i < kSettlingFrames; i++)
@@ -213,28 +211,3 @@ BENCHMARK(culledFrame)->Arg(33)->UseManualTime()->Iterations(20)->Unit(benchmark
 BENCHMARK(anchorChange)->Arg(9)->UseManualTime()->Iterations(8)->Unit(benchmark::kMillisecond);
 
 } // namespace
-
-extern "C" int teMain(int argc, char** argv) {
-  TeContextKind kind = TeContextKind::Egl;
-  for (int i = 1; i + 1 < argc; i++) {
-    if (std::string(argv[i]) == "--context") {
-      const TeResult<TeContextKind> named = teContextKind(argv[i + 1]);
-      if (!named) {
-        std::fprintf(stderr, "scene-bench: %s\n", named.error().message.c_str());
-        return 2;
-      }
-      kind = *named;
-    }
-  }
-  TeNodes::init();
-  const auto made = TeContext::create(kind, 64, 64);
-  if (!made) {
-    std::fprintf(stderr, "scene-bench: %s\n", made.error().message.c_str());
-    return 1;
-  }
-  context = made->get();
-  benchmark::AddCustomContext("renderer", context->renderer());
-  benchmark::Initialize(&argc, argv);
-  benchmark::RunSpecifiedBenchmarks();
-  return 0;
-}

@@ -1,0 +1,6 @@
+#pragma once
+
+#include "nodes/context/TeContext.h"
+
+/// What the benchmarks of scene-bench draw in.
+inline TeContext* benchContext = nullptr;
