@@ -67,16 +67,17 @@ private:
     const float before = preparing(level, x, y, division);
     for (int side = 0; side < 4; side++) {
       const TeSideKey key = TeSeamlessLayout::sideOf(level, x, y, TeSide(side));
-      float detail = std::max(m_metric.detail(key), before);
+      const TeSideMetric::SeenSide seen = m_metric.see(key);
+      float detail = std::max(m_metric.detail(seen), before);
       if (m_metric.asksNeighbours())
         detail = std::max(detail, neighbourPreparing(level, x, y, side));
       detail = std::min(detail, float(m_limits.topIndex(key)));
       patch.detail[std::size_t(side)] = detail;
       if (m_bounds)
         m_selection.errorBound =
-            std::max(m_selection.errorBound, m_metric.errorPixels(key, int(std::floor(detail))));
+            std::max(m_selection.errorBound, m_metric.errorPixels(seen, int(std::floor(detail))));
       m_squaredPrecision =
-          std::max(m_squaredPrecision, m_metric.squaredPrecision(key, teDetailResolution(detail)));
+          std::max(m_squaredPrecision, m_metric.squaredPrecision(seen, teDetailResolution(detail)));
     }
     m_selection.triangles += trianglesOf(patch);
     m_selection.patches.push_back(patch);

@@ -73,11 +73,19 @@ double TeSideMetric::distanceToBox(const TeSideKey& side, double across, double 
   return std::max(0.0, std::sqrt(dx * dx + dy * dy + dz * dz) - m_slack);
 }
 
-double TeSideMetric::distanceToTiles(const TeSideKey& side, const TeSideBounds& bounds) const {
+TeSideMetric::SeenSide TeSideMetric::see(const TeSideKey& side) const {
+  SeenSide seen;
+  seen.length = m_layout.cells(side.level);
+  seen.squaredDistance = squaredDistance(side);
+  if (!m_bounds)
+    return seen;
+  const TeSideBounds bounds = m_bounds->side(side);
+  seen.errors = bounds.error;
   // Both tiles lie in both boxes. An undivided patch's own errors are then no larger than the one beyond.
   const TeHeightRange range{std::max(bounds.range.low, bounds.beyondRange.low),
                             std::min(bounds.range.high, bounds.beyondRange.high)};
-  return distanceToBox(side, 0.5 * m_layout.cells(side.level), 0, range);
+  seen.tilesDistance = distanceToBox(side, 0.5 * seen.length, 0, range);
+  return seen;
 }
 
 double TeSideMetric::division(int level, std::int32_t x, std::int32_t y) const {
@@ -105,11 +113,10 @@ double TeSideMetric::divisionByError(const TeSideKey& side) const {
                        m_bounds->beyondRange(side));
 }
 
-float TeSideMetric::detail(const TeSideKey& side) const {
+float TeSideMetric::detail(const SeenSide& side) const {
   const int top = m_layout.levels() - 1;
   if (!m_byError) {
-    double e =
-        m_precision * m_layout.cells(side.level) / std::sqrt(squaredDistance(side)) * (1 + kRefineEarly);
+    double e = m_precision * side.length / std::sqrt(side.squaredDistance) * (1 + kRefineEarly);
     if (m_geomorph)
       return float(std::clamp(top + std::log2(e), 0.0, double(top)));
     int index = top;
@@ -117,22 +124,21 @@ float TeSideMetric::detail(const TeSideKey& side) const {
       index--;
     return float(index);
   }
-  const TeSideBounds bounds = m_bounds->side(side);
-  if (bounds.error[0] == 0)
-    return 0;
-  const double distance = distanceToTiles(side, bounds);
   if (m_geomorph) {
     constexpr double kStart = TeSeamlessBounds::kMorphRatio;
     double detail = 0;
-    for (int index = 0; index < top && bounds.error[index] > 0; index++)
-      detail += std::clamp((m_errorScale * double(bounds.error[index]) / distance - kStart) / (1 - kStart),
-                           0.0, 1.0);
+    for (int index = 0; index < top && side.errors[index] > 0; index++)
+      detail += std::clamp((wantedErrors(side, index) - kStart) / (1 - kStart), 0.0, 1.0);
     return float(detail);
   }
   int index = 0;
-  while (index < top && bounds.error[index] > 0 && m_errorScale * double(bounds.error[index]) / distance > 1)
+  while (index < top && side.errors[index] > 0 && wantedErrors(side, index) > 1)
     index++;
   return float(index);
+}
+
+double TeSideMetric::wantedErrors(const SeenSide& side, int index) const {
+  return m_errorScale * double(side.errors[index]) / side.tilesDistance;
 }
 
 float TeSideMetric::detailBefore(double division, int level) const {
@@ -150,14 +156,11 @@ float TeSideMetric::detailBefore(double division, int level) const {
   return float(top * std::clamp((division - start) / (end - start), 0.0, 1.0));
 }
 
-double TeSideMetric::errorPixels(const TeSideKey& side, int index) const {
-  const TeSideBounds bounds = m_bounds->side(side);
-  if (bounds.error[index] == 0)
-    return 0;
-  return m_pixels * double(bounds.error[index]) / distanceToTiles(side, bounds);
+double TeSideMetric::errorPixels(const SeenSide& side, int index) const {
+  return side.errors[index] == 0 ? 0 : m_pixels * double(side.errors[index]) / side.tilesDistance;
 }
 
-double TeSideMetric::squaredPrecision(const TeSideKey& side, int index) const {
-  const double lengths = double(m_layout.cells(side.level)) * (1 << (m_layout.levels() - 1 - index));
-  return squaredDistance(side) / (lengths * lengths);
+double TeSideMetric::squaredPrecision(const SeenSide& side, int index) const {
+  const double lengths = side.length * (1 << (m_layout.levels() - 1 - index));
+  return side.squaredDistance / (lengths * lengths);
 }

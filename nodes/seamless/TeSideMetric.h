@@ -21,8 +21,16 @@ public:
   double division(int level, std::int32_t x, std::int32_t y) const;
   /// A patch is divided if its division() is above this.
   double threshold(int level) const;
+  /// A side as the view sees it.
+  struct SeenSide {
+    double length = 0;
+    double squaredDistance = 0;    ///< to the side itself
+    const float* errors = nullptr; ///< by resolution index; null without bounds
+    double tilesDistance = 0;      ///< to all that is drawn at the side's resolution
+  };
+  SeenSide see(const TeSideKey& side) const;
   /// Detail that a side asks for by itself: 0 .. levels - 1, whole without geomorphing.
-  float detail(const TeSideKey& side) const;
+  float detail(const SeenSide& side) const;
   /// Least detail of all sides of a patch with that division(): rises to levels - 1 at the
   /// threshold, so that a patch about to be divided has the vertices of its children.
   float detailBefore(double division, int level) const;
@@ -30,16 +38,15 @@ public:
   bool asksNeighbours() const { return m_byError || m_geomorph; }
 
   /// Screen error of a side at a whole resolution index, pixels; needs bounds.
-  double errorPixels(const TeSideKey& side, int index) const;
+  double errorPixels(const SeenSide& side, int index) const;
   /// Square of the document's p with which the side would be drawn at that index or higher.
-  double squaredPrecision(const TeSideKey& side, int index) const;
+  double squaredPrecision(const SeenSide& side, int index) const;
 
 private:
   double squaredDistance(const TeSideKey& side) const;
   double distanceToBox(const TeSideKey& side, double across, double along, TeHeightRange range) const;
   double divisionByError(const TeSideKey& side) const;
-  /// To all that is drawn at a side's resolution.
-  double distanceToTiles(const TeSideKey& side, const TeSideBounds& bounds) const;
+  double wantedErrors(const SeenSide& side, int index) const; ///< its error, 1 if it is the wanted one
 
   const TeSeamlessLayout& m_layout;
   const TeSeamlessBounds* m_bounds;
