@@ -1,6 +1,6 @@
+#include "generators/base/TeRandom.h"
+#include "nodes/seamless/SeamlessViews.h"
 #include "nodes/seamless/TeSeamlessBounds.h"
-#include "nodes/seamless/TeSeamlessMesh.h"
-#include "nodes/seamless/stressHeights.h"
 
 #include <gtest/gtest.h>
 
@@ -10,15 +10,6 @@
 #include <vector>
 
 namespace {
-
-class MapHeights : public TeSeamlessHeights {
-public:
-  explicit MapHeights(const TeHeightMap& map) : m_map(map) {}
-  float height(std::int32_t column, std::int32_t row, int) const override { return m_map.at(column, row); }
-
-private:
-  const TeHeightMap& m_map;
-};
 
 /// A patch's box in samples and heights.
 struct Box {
@@ -54,13 +45,14 @@ std::vector<Box> boxesOf(const TeSeamlessBounds& bounds, TeSeamlessPatch patch) 
 // that nothing is seen. At the highest resolution the box is touched: it is no larger than it must be.
 TEST(HardCase, BoundingBoxes) {
   TeRandom random(12, 0, TeMapKey{});
+  std::mt19937 spikes(12);
   std::int64_t vertices = 0, boxes = 0, outside = 0, loose = 0;
   for (const auto& [resolution, minResolution, levels] :
        std::vector<std::array<int, 3>>{{256, 4, 3}, {128, 2, 2}, {128, 2, 4}, {64, 16, 2}}) {
     const TeSeamlessLayout layout = *TeSeamlessLayout::create(resolution, minResolution, levels);
     const TeSeamlessParts parts(layout);
-    for (const std::string& kind : stressKinds()) {
-      const TeHeightMap map = stressHeights(kind, resolution);
+    for (int field = 0; field <= int(StressField::Flat); field++) {
+      const TeHeightMap map = stressMap(StressField(field), resolution, spikes);
       const auto bounds = *TeSeamlessBounds::create(layout, map);
       std::vector<TeSeamlessMesh::Triangle> triangles;
       for (TeSeamlessPatch patch; patch.level < layout.depth(); patch.level++)

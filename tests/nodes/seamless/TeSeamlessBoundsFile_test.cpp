@@ -1,6 +1,6 @@
 #include "nodes/seamless/TeSeamlessBoundsFile.h"
 
-#include "nodes/seamless/stressHeights.h"
+#include "nodes/seamless/SeamlessViews.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -26,7 +26,8 @@ protected:
     fs::remove_all(m_folder);
     fs::create_directory(m_folder);
     m_file = TeSeamlessBoundsFile::nameFor((m_folder / "hills").string(), m_layout);
-    m_bounds = *TeSeamlessBounds::create(m_layout, stressHeights("random", 16));
+    std::mt19937 random(4);
+    m_bounds = *TeSeamlessBounds::create(m_layout, stressMap(StressField::Rough, 16, random));
   }
   ~TeSeamlessBoundsFileTest() override { fs::remove_all(m_folder); }
 
@@ -70,19 +71,16 @@ TEST_F(TeSeamlessBoundsFileTest, RefusesEveryPrefixAndEveryFlippedBit) {
   const std::string whole = bytes();
   for (std::size_t size = 0; size < whole.size(); size++) {
     write(whole.substr(0, size));
-    ASSERT_THAT(fault(), StartsWith(m_file + ": ")) << size;
-    if (size >= 20) {
-      ASSERT_THAT(fault(), HasSubstr("cut off")) << size;
-    }
+    ASSERT_THAT(fault(), StartsWith(m_file + (size < 20 ? ": " : ": cut off"))) << size;
   }
-  for (std::size_t i = 0; i < whole.size(); i++)
-    for (const int bit : {0, 3, 7}) {
-      std::string damaged = whole;
-      damaged[i] = char(damaged[i] ^ (1 << bit));
-      write(damaged);
-      ASSERT_THAT(fault(), StartsWith(m_file + ": ")) << i;
-      ASSERT_THAT(fault(), Not(HasSubstr("\n")));
-    }
+  for (std::size_t i = 0; i < whole.size(); i++) {
+    std::string damaged = whole;
+    damaged[i] = char(damaged[i] ^ (1 << i % 8));
+    write(damaged);
+    const std::string message = fault();
+    ASSERT_THAT(message, StartsWith(m_file + ": ")) << i;
+    ASSERT_THAT(message, Not(HasSubstr("\n")));
+  }
   write(whole + "x");
   EXPECT_THAT(fault(), HasSubstr("too long"));
   write(whole);
