@@ -1,14 +1,18 @@
 #include "nodes/clipmap/TeClipWindows.h"
 
-#include "generators/base/TeLog.h"
 #include "generators/base/TeRandom.h"
 #include "nodes/clipmap/testPyramid.h"
+#include "nodes/logLines.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
+#include <string>
+#include <vector>
 
 namespace {
 
@@ -146,4 +150,244 @@ TEST(TeClipWindows, WhatIsResidentIsRightAndNestedOnEveryWalk) {
       }
     }
   }
+}
+
+// What a texture would hold that gets the uploads and nothing else.
+TEST(TeClipWindows, UploadsAreAllThatATextureNeeds) {
+  const TestPyramid pyramid(8);
+  for (const std::size_t budget : {0u, 300u, 2500u}) {
+    const auto windows = makeWindows(pyramid, 20);
+    ASSERT_TRUE(windows);
+    std::vector<std::vector<unsigned char>> texture(std::size_t(windows->levels()));
+    for (auto& layer : texture)
+      layer.assign(windows->imageBytes(), 0xcc);
+    Walk walk(budget, 8);
+    for (int step = 0; step < 200; step++) {
+      windows->update(walk.next(), 8, budget);
+      for (const TeClipUpload& upload : windows->uploads()) {
+        const TeSampleRect& texels = upload.texels;
+        ASSERT_TRUE(texels.x >= 0 && texels.y >= 0 && texels.x + texels.columns <= windows->side() &&
+                    texels.y + texels.rows <= windows->side());
+        for (int y = 0; y < texels.rows; y++)
+          std::copy_n(windows->samples(upload) + std::size_t(y) * windows->rowBytes(), texels.columns * 2,
+                      texture[std::size_t(upload.level - windows->baseLevel())].begin() +
+                          ((texels.y + y) * windows->side() + texels.x) * 2);
+      }
+      windows->clearUploads();
+      const TeClipResidency& residency = windows->residency();
+      int wrong = 0;
+      for (int level = residency.base; level <= residency.top(); level++) {
+        const TeClipWindow& window = residency.windows[std::size_t(level - residency.base)];
+        for (std::int32_t y = window.y; y < window.y + window.side; y++)
+          for (std::int32_t x = window.x; x < window.x + window.side; x++) {
+            const int texel = y % windows->side() * windows->side() + x % windows->side();
+            wrong += !pyramid.isSample(&texture[std::size_t(level - residency.base)][std::size_t(2 * texel)],
+                                       level, x, y);
+          }
+      }
+      ASSERT_EQ(wrong, 0) << step;
+    }
+  }
+}
+
+TEST(TeClipWindows, AMoveUploadsNewRowsAndColumnsOnly) {
+  const TestPyramid pyramid(9);
+  const auto windows = makeWindows(pyramid, 65);
+  ASSERT_TRUE(windows);
+  const glm::dvec2 directions[] = {{1, 0}, {0, 1}, {-1, 0}, {0, -1}, {1, 1}, {-1, 1}};
+  double worst = 0;
+  for (const glm::dvec2& direction : directions) {
+    glm::dvec2 centre = glm::dvec2(256) - 40.0 * direction;
+    windows->update(centre, 9, 0);
+    windows->clearUploads();
+    std::int64_t uploaded = 0;
+    std::int64_t ideal = 0;
+    for (int move = 0; move < 80; move++) {
+      const TeClipResidency before = windows->residency();
+      centre += direction;
+      windows->update(centre, 9, 0);
+      for (std::size_t i = 1; i < before.windows.size(); i++) {
+        const TeClipWindow& from = before.windows[i];
+        const TeClipWindow& to = windows->residency().windows[i];
+        const int columns = std::abs(to.x - from.x);
+        const int rows = std::abs(to.y - from.y);
+        ASSERT_LE(columns, 1);
+        ASSERT_LE(rows, 1);
+        ideal += 65 * (columns + rows) - columns * rows;
+      }
+      // Columns and rows of each of the three levels, each cut by the border once, and a corner twice.
+      EXPECT_LE(windows->uploads().size(), 3u * 4u);
+      uploaded += pendingSamples(*windows);
+      windows->clearUploads();
+    }
+    EXPECT_GE(ideal, 80 * 65);
+    worst = std::max(worst, double(uploaded) / double(ideal));
+    std::printf("80 moves by (%g, %g): %lld bytes, ideally %lld\n", direction.x, direction.y,
+                static_cast<long long>(2 * uploaded), static_cast<long long>(2 * ideal));
+  }
+  EXPECT_DOUBLE_EQ(worst, 1);
+}
+
+TEST(TeClipWindows, AfterAJumpCoarseLevelsComeFirstWithinTheBudget) {
+  const TestPyramid pyramid(9);
+  const auto windows = makeWindows(pyramid, 65);
+  ASSERT_TRUE(windows);
+  windows->update({60, 60}, 9, 0);
+  EXPECT_EQ(residentLevels(windows->residency()), 4);
+  windows->clearUploads();
+  constexpr std::size_t kBudget = 3000; // a window has 8450
+  windows->update({460, 470}, 9, kBudget); // as if in flight at that speed
+  EXPECT_EQ(pendingSamples(*windows), 0);
+  int resident = 1;
+  int updates = 1;
+  std::int64_t samples = 0;
+  do {
+    windows->update({460, 470}, 9, kBudget);
+    const int now = residentLevels(windows->residency());
+    EXPECT_GE(now, resident) << "detail comes back from coarse to fine";
+    resident = now;
+    updates++;
+    EXPECT_LE(2 * pendingSamples(*windows), std::int64_t(kBudget));
+    samples += pendingSamples(*windows);
+    windows->clearUploads();
+  } while (updates < 100 && !windows->isSettled());
+  EXPECT_EQ(resident, 4);
+  EXPECT_EQ(wrongSamples(pyramid, *windows), 0);
+  EXPECT_LE(samples, 3 * 65 * 65) << "nothing twice";
+  std::printf("%d updates of %zu bytes after a jump: %lld bytes\n", updates, kBudget,
+              static_cast<long long>(2 * samples));
+}
+
+TEST(TeClipWindows, UnderFastMotionCoarseLevelsStay) {
+  const TestPyramid pyramid(10);
+  const auto windows = makeWindows(pyramid, 65);
+  ASSERT_TRUE(windows);
+  glm::dvec2 centre(100, 500);
+  windows->update(centre, 10, 0);
+  ASSERT_EQ(residentLevels(windows->residency()), 5);
+  // 8 samples of the finest level an update: windows of 65 need 4, 2, 1, 0.5 lines of 8 to 10 for less
+  // than 7.
+  constexpr std::size_t kBudget = 65 * 2 * 7;
+  int least = 5;
+  for (int step = 0; step < 90; step++) {
+    centre.x += 8;
+    windows->clearUploads();
+    windows->update(centre, 10, kBudget);
+    EXPECT_LE(2 * pendingSamples(*windows), std::int64_t(kBudget));
+    EXPECT_EQ(wrongSamples(pyramid, *windows, 5), 0);
+    least = std::min(least, residentLevels(windows->residency()));
+    if (step > 40) {
+      EXPECT_TRUE(
+          windows->residency().holds(9, std::int32_t(centre.x / 2), 250, std::int32_t(centre.x / 2), 250));
+    }
+  }
+  EXPECT_EQ(least, 4) << "all but the finest";
+  for (int step = 0; step < 40; step++)
+    windows->update(centre, 10, kBudget);
+  EXPECT_EQ(residentLevels(windows->residency()), 5) << "it comes back when the viewer stops";
+}
+
+TEST(TeClipWindows, ALevelThatCannotBeReadIsReportedOnceAndNotUsed) {
+  const TestPyramid pyramid(8);
+  const auto windows = makeWindows(pyramid, 33);
+  ASSERT_TRUE(windows);
+  const LogLines log;
+  windows->update({200, 200}, 8, 0);
+  EXPECT_EQ(residentLevels(windows->residency()), 4);
+  pyramid.resize(7, 129 * 20 * 2); // the south is lost while the program runs
+  Walk walk(1, 8);
+  for (int step = 0; step < 50; step++) {
+    windows->update(walk.next(), 8, 0);
+    ASSERT_EQ(wrongSamples(pyramid, *windows), 0);
+  }
+  EXPECT_EQ(residentLevels(windows->residency()), 2);
+  EXPECT_FALSE(windows->residency().holds(8, 100, 100, 100, 100));
+  EXPECT_TRUE(windows->isSettled()) << "there is nothing to wait for";
+  EXPECT_THAT(log.lines,
+              testing::ElementsAre(testing::AllOf(testing::HasSubstr(pyramid.file(7)),
+                                                  testing::HasSubstr("level 6 stands for level 7"))));
+}
+
+TEST(TeClipWindows, ABaseThatCannotBeReadIsAnError) {
+  const TestPyramid pyramid(8);
+  const auto tiles = pyramid.tiles(5);
+  pyramid.resize(5, 100);
+  const auto windows = TeClipWindows::create(tiles, 33);
+  ASSERT_FALSE(windows);
+  EXPECT_THAT(windows.error().message, testing::HasSubstr(pyramid.file(5)));
+}
+
+TEST(TeClipWindows, UploadsThatNobodyFetchesStayBounded) {
+  const TestPyramid pyramid(8);
+  const auto windows = makeWindows(pyramid, 9);
+  ASSERT_TRUE(windows);
+  Walk walk(3, 8);
+  for (int step = 0; step < 3000; step++) {
+    windows->update(walk.next(), 8, 0);
+    ASSERT_LE(windows->uploads().size(), 1024u);
+  }
+  std::vector<bool> whole(std::size_t(windows->levels()));
+  for (const TeClipUpload& upload : windows->allUploads())
+    whole[std::size_t(upload.level - windows->baseLevel())] = upload.texels.count() == 9 * 9;
+  EXPECT_EQ(whole, std::vector<bool>(std::size_t(windows->levels()), true));
+}
+
+TEST(TeClipWindows, ATerrainSmallerThanTheWindowIsHeldWhole) {
+  const TestPyramid pyramid(4);
+  const auto windows = makeWindows(pyramid, 513);
+  ASSERT_TRUE(windows);
+  EXPECT_EQ(windows->levels(), 1);
+  EXPECT_EQ(windows->side(), 17);
+  EXPECT_EQ(windows->imageBytes(), 17u * 17u * 2u);
+  EXPECT_TRUE(windows->isSettled());
+  EXPECT_TRUE(windows->residency().holds(4, 0, 0, 16, 16));
+  EXPECT_EQ(pendingSamples(*windows), 17 * 17);
+  windows->clearUploads();
+  windows->update({3, 3}, 4, 0);
+  EXPECT_TRUE(windows->uploads().empty());
+  EXPECT_EQ(wrongSamples(pyramid, *windows), 0);
+}
+
+TEST(TeClipWindows, LevelsAboveTheHighestAreNotHeld) {
+  const TestPyramid pyramid(8);
+  const auto windows = makeWindows(pyramid, 33, 6);
+  ASSERT_TRUE(windows);
+  EXPECT_EQ(windows->topLevel(), 6);
+  windows->update({128, 128}, 8, 0);
+  EXPECT_TRUE(windows->residency().holds(6, 16, 16, 48, 48)) << "the centre is in samples of level 8";
+  EXPECT_FALSE(windows->residency().holds(7, 64, 64, 64, 64));
+}
+
+TEST(TeClipWindows, CentresOutsideOrNowhere) {
+  const TestPyramid pyramid(8);
+  const auto windows = makeWindows(pyramid, 33);
+  ASSERT_TRUE(windows);
+  windows->update({-1e300, 1e300}, 8, 0);
+  EXPECT_TRUE(windows->residency().holds(8, 0, 224, 32, 256)) << "the corner next to it";
+  windows->clearUploads();
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const glm::dvec2& centre : {glm::dvec2(nan, 0), glm::dvec2(0, infinity), glm::dvec2(-infinity, nan)})
+    windows->update(centre, 8, 0);
+  EXPECT_TRUE(windows->uploads().empty());
+  EXPECT_EQ(residentLevels(windows->residency()), 4);
+}
+
+TEST(TeClipWindows, SizesThatDoNotWorkAreErrors) {
+  const TestPyramid pyramid(6);
+  const auto tiles = pyramid.tiles(4);
+  const auto errorOf = [&](int size, int top) {
+    const auto windows = TeClipWindows::create(tiles, size, top);
+    return windows ? std::string() : windows.error().message;
+  };
+  for (const int size : {std::numeric_limits<int>::min(), -5, 0, 4, 8194, std::numeric_limits<int>::max()})
+    EXPECT_THAT(errorOf(size, -1), testing::HasSubstr(std::to_string(size)));
+  EXPECT_THAT(errorOf(9, -1), testing::HasSubstr("not whole"));
+  EXPECT_THAT(errorOf(33, -1), testing::HasSubstr("level 5"));
+  EXPECT_THAT(errorOf(17, 3), testing::HasSubstr("highest level 3"));
+  EXPECT_EQ(errorOf(17, 4), "");
+  EXPECT_EQ(errorOf(17, 99), "");
+  EXPECT_EQ(TeClipWindows::wholeLevel(513), 9);
+  EXPECT_EQ(TeClipWindows::wholeLevel(512), 8);
+  EXPECT_EQ(TeClipWindows::wholeLevel(5), 2);
 }
