@@ -81,10 +81,8 @@ TeSideMetric::SeenSide TeSideMetric::see(const TeSideKey& side) const {
     return seen;
   const TeSideBounds bounds = m_bounds->side(side);
   seen.errors = bounds.error;
-  // Both tiles lie in both boxes. An undivided patch's own errors are then no larger than the one beyond.
-  const TeHeightRange range{std::max(bounds.range.low, bounds.beyondRange.low),
-                            std::min(bounds.range.high, bounds.beyondRange.high)};
-  seen.tilesDistance = distanceToBox(side, 0.5 * seen.length, 0, range);
+  // Both tiles lie in that box. An undivided patch's own errors are then no larger than the one beyond.
+  seen.tilesDistance = distanceToBox(side, 0.5 * seen.length, 0, bounds.beyondRange);
   return seen;
 }
 
