@@ -1,6 +1,7 @@
 #include "nodes/TeNodes.h"
 
 #include "nodes/clipmap/SoTeClipmap.h"
+#include "nodes/seamless/SoTeSeamlessPatches.h"
 #include "nodes/terrain/SoTeStaticTerrain.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
 #include "nodes/terrain/SoTeTerrainMesh.h"
@@ -13,8 +14,9 @@ void TeNodes::init() {
   SoDB::init();
   SoNodeKit::init();
   SoInteraction::init();
-  SoTeClipmap::initClass();
   SoTeTerrainDetail::initClass();
+  SoTeClipmap::initClass();
+  SoTeSeamlessPatches::initClass();
   SoTeStaticTerrain::initClass();
   SoTeTerrainMesh::initClass();
 }

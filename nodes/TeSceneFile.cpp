@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
+#include <filesystem>
 
 namespace {
 
@@ -50,4 +51,11 @@ TeStatus teWriteScene(SoNode* scene, const std::string& path) {
   if (written && closed)
     return {};
   return TeError{path + ": cannot be written: " + (errno ? std::strerror(errno) : "not enough memory")};
+}
+
+std::string teBesideScene(const std::string& file, const std::string& folder) {
+  const std::filesystem::path path(file);
+  if (path.empty() || path.is_absolute() || folder.empty())
+    return file;
+  return (std::filesystem::path(folder) / path).string();
 }

@@ -1,6 +1,7 @@
 #include "nodes/terrain/SoTeStaticTerrain.h"
 
 #include "generators/TeGeneratorRegistry.h"
+#include "nodes/TeSceneFile.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
 #include "nodes/terrain/TeElevationTerrain.h"
 
@@ -165,7 +166,7 @@ TeResult<TeHeightSourcePtr> SoTeStaticTerrain::makeSource(double& metres, glm::d
   }
 
   TeElevationTerrainOptions options;
-  options.file = fullPath(file.getValue().getString());
+  options.file = teBesideScene(file.getValue().getString(), m_folder);
   const TeResult<double> unit = teVerticalUnit(verticalUnit.getValue().getString());
   if (!unit)
     return TeError{"verticalUnit: " + unit.error().message};
@@ -217,19 +218,12 @@ TeResult<TeBlockStyle> SoTeStaticTerrain::makeStyle(const TeStaticBlock& block) 
     style.water = waterLevel.getValue();
   }
   if (image.getValue().getLength() > 0) {
-    TeResult<TePicture> picture = TePicture::readPng(fullPath(image.getValue().getString()));
+    TeResult<TePicture> picture = TePicture::readPng(teBesideScene(image.getValue().getString(), m_folder));
     if (!picture)
       return picture.error();
     style.image = std::move(*picture);
   }
   return style;
-}
-
-std::string SoTeStaticTerrain::fullPath(const std::string& file) const {
-  const std::filesystem::path path(file);
-  if (path.is_absolute() || m_folder.empty())
-    return file;
-  return (std::filesystem::path(m_folder) / path).string();
 }
 
 SbBool SoTeStaticTerrain::readInstance(SoInput* input, unsigned short flags) {

@@ -110,7 +110,6 @@ private:
   TeResult<TeWorld> makeWorld(glm::dvec2& middle) const;
   TeResult<TeHeightSourcePtr> makeSource(double& metres, glm::dvec2& middle) const;
   TeResult<TeBlockStyle> makeStyle(const TeStaticBlock& block) const;
-  std::string fullPath(const std::string& file) const;
 
   std::unique_ptr<SoChildList> m_children; ///< one separator, or none
   std::unique_ptr<TeStaticBlock> m_block;

@@ -1,0 +1,76 @@
+#include "nodes/seamless/TeSeamlessChoice.h"
+
+#include "generators/base/TeAllowance.h"
+
+#include <glm/geometric.hpp>
+
+namespace {
+
+bool isSame(const TeSeamlessPlacement& a, const TeSeamlessPlacement& b) {
+  return a.corner == b.corner && a.spacing == b.spacing && a.heightScale == b.heightScale &&
+         a.range.low == b.range.low && a.range.high == b.range.high;
+}
+
+bool isSame(const TeSeamlessAccuracy& a, const TeSeamlessAccuracy& b) {
+  return a.precision == b.precision && a.pixelError == b.pixelError && a.exact == b.exact &&
+         a.geomorph == b.geomorph && a.maxPatches == b.maxPatches;
+}
+
+bool isSame(const TeLodView& a, const TeLodView& b) {
+  return a.eye == b.eye && a.perspective == b.perspective && a.focal == b.focal && a.slack == b.slack &&
+         a.planeCount == b.planeCount && a.planes == b.planes;
+}
+
+bool isSame(const TeClipResidency& a, const TeClipResidency& b) {
+  if (a.base != b.base || a.windows.size() != b.windows.size())
+    return false;
+  for (std::size_t i = 0; i < a.windows.size(); i++) {
+    if (a.windows[i].x != b.windows[i].x || a.windows[i].y != b.windows[i].y ||
+        a.windows[i].side != b.windows[i].side)
+      return false;
+  }
+  return true;
+}
+
+} // namespace
+
+bool TeSeamlessChoice::hasGround(const TeSeamlessTerrainPtr& terrain,
+                                 const TeSeamlessPlacement& placement) const {
+  return m_terrain == terrain && isSame(m_placement, placement);
+}
+
+TeLodView TeSeamlessChoice::held(const TeSeamlessTerrainPtr& terrain, const TeLodView& view,
+                                 const TeSeamlessPlacement& placement,
+                                 const TeSeamlessAccuracy& accuracy) const {
+  TeLodView held = view;
+  if (!view.perspective || accuracy.geomorph)
+    return held;
+  held.slack = holdRadius(placement);
+  if (hasGround(terrain, placement) && m_view.perspective && m_view.slack > 0 &&
+      glm::length(view.eye - m_view.eye) <= m_view.slack)
+    held.eye = m_view.eye;
+  return held;
+}
+
+bool TeSeamlessChoice::update(const TeSeamlessTerrainPtr& terrain, const TeLodView& view,
+                              const TeSeamlessPlacement& placement, const TeSeamlessAccuracy& accuracy,
+                              const TeClipResidency* residency) {
+  const TeLodView held = this->held(terrain, view, placement, accuracy);
+  if (hasGround(terrain, placement) && isSame(m_view, held) && isSame(m_accuracy, accuracy) &&
+      m_isLimited == (residency != nullptr) && (!residency || isSame(m_residency, *residency)))
+    return false;
+
+  m_terrain = terrain;
+  m_view = held;
+  m_placement = placement;
+  m_accuracy = accuracy;
+  m_isLimited = residency != nullptr;
+  if (residency)
+    m_residency = *residency;
+  const double start = teThreadCpuSeconds();
+  terrain->selector.select(held, placement, accuracy, residency, m_selection);
+  m_lists.build(m_selection, terrain->layout, *terrain->parts);
+  m_seconds = teThreadCpuSeconds() - start;
+  m_selections++;
+  return true;
+}

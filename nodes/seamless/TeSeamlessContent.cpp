@@ -1,0 +1,89 @@
+#include "nodes/seamless/TeSeamlessContent.h"
+
+#include "generators/base/TeText.h"
+#include "generators/elevation/TeElevationOptions.h"
+#include "nodes/seamless/TeSeamlessHeightFile.h"
+
+#include <cmath>
+#include <utility>
+
+namespace {
+
+constexpr double kLargestNumber = 65535;
+
+TeResult<TeSeamlessLayout> makeLayout(const TeSeamlessContent::Sizes& sizes) {
+  return TeSeamlessLayout::create(sizes.resolution, sizes.minPatchResolution, sizes.levels);
+}
+
+bool isSize(double metres) { return metres >= 0 && metres <= TeSeamlessContent::kLargestSize; }
+
+} // namespace
+
+TeResult<TeSeamlessPlacement> TeSeamlessContent::place(const glm::dvec3& size,
+                                                       const glm::dvec3& middle) const {
+  if (!isSize(size.x) || !isSize(size.y) || !isSize(size.z))
+    return TeError{"size " + teNumberText(size.x) + " " + teNumberText(size.y) + " " + teNumberText(size.z) +
+                   ": extents and height are from 0 to " + teNumberText(kLargestSize) + " metres"};
+  if (size.x != size.y)
+    return TeError{"size: the extents in x and y, " + teNumberText(size.x) + " and " + teNumberText(size.y) +
+                   ", are not equal"};
+  if (!std::isfinite(middle.x) || !std::isfinite(middle.y) || !std::isfinite(middle.z))
+    return TeError{"center and origin are not finite"};
+  const double cells = terrain->layout.resolution();
+  TeSeamlessPlacement placement;
+  placement.spacing = size.x > 0 ? size.x / cells : spacing;
+  const double half = placement.spacing * cells / 2;
+  placement.corner = middle - glm::dvec3(half, half, 0);
+  placement.heightScale = isRaw ? size.z / kLargestNumber : 1;
+  placement.range = terrain->range;
+  return placement;
+}
+
+TeResult<TeSeamlessContent> TeSeamlessContent::flat(const Sizes& sizes) {
+  const TeResult<TeSeamlessLayout> layout = makeLayout(sizes);
+  if (!layout)
+    return layout.error();
+  TeSeamlessContent content;
+  content.terrain = TeSeamlessTerrain::flat(*layout);
+  return content;
+}
+
+TeResult<TeSeamlessContent> TeSeamlessContent::ofMap(std::shared_ptr<const TeHeightMap> map,
+                                                     const Sizes& sizes) {
+  const int cells = map->width() - 1;
+  if (map->height() != map->width())
+    return TeError{"the height map has " + std::to_string(map->width()) + "x" +
+                   std::to_string(map->height()) + " samples, which is no square"};
+  if (sizes.resolution != 0 && sizes.resolution != cells)
+    return TeError{"resolution " + std::to_string(sizes.resolution) + " needs " +
+                   std::to_string(std::int64_t(sizes.resolution) + 1) +
+                   " samples a side, but the heights have " + std::to_string(map->width()) +
+                   "; 0 takes as many as there are"};
+  const TeResult<TeSeamlessLayout> layout = makeLayout({cells, sizes.minPatchResolution, sizes.levels});
+  if (!layout)
+    return layout.error();
+  const TeResult<TeSeamlessTerrainPtr> terrain = TeSeamlessTerrain::create(*layout, std::move(map));
+  if (!terrain)
+    return terrain.error();
+  TeSeamlessContent content;
+  content.terrain = *terrain;
+  return content;
+}
+
+TeResult<TeSeamlessContent> TeSeamlessContent::ofFile(const std::string& path,
+                                                      const std::string& verticalUnit, const Sizes& sizes) {
+  const TeResult<double> unit = teVerticalUnit(verticalUnit);
+  if (!unit)
+    return TeError{"verticalUnit: " + unit.error().message};
+  TeResult<TeSeamlessHeightFile> file = TeSeamlessHeightFile::read(path, *unit);
+  if (!file)
+    return file.error();
+  TeResult<TeSeamlessContent> content =
+      ofMap(std::make_shared<const TeHeightMap>(std::move(file->map)), sizes);
+  if (!content)
+    return TeError{path + ": " + content.error().message};
+  content->isRaw = file->isRaw && *unit == 0;
+  if (file->spacing > 0)
+    content->spacing = file->spacing;
+  return content;
+}
