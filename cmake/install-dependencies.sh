@@ -9,7 +9,7 @@ packages=(
   libegl-dev libopengl-dev libgl-dev libosmesa6-dev libegl1 libgl1-mesa-dri
   libcli11-dev nlohmann-json3-dev libspdlog-dev libpng-dev
   libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libnoise-dev
-  gdal-bin xvfb xauth xdotool
+  gdal-bin gnuplot-nox xvfb xauth xdotool
 )
 
 missing=()

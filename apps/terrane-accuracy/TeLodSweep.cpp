@@ -1,0 +1,70 @@
+#include "apps/terrane-accuracy/TeLodSweep.h"
+
+#include "apps/terrane-accuracy/TeMeshCheck.h"
+#include "generators/base/TeAllowance.h"
+
+#include <algorithm>
+
+namespace {
+
+constexpr int kRuns = 3;
+
+double selectMs(TeMeasuredMethod& method, const TeLodView& view, const TeDial& dial) {
+  double least = 1e9;
+  for (int run = 0; run < kRuns; run++) {
+    const double start = teThreadCpuSeconds();
+    method.select(view, dial);
+    least = std::min(least, teThreadCpuSeconds() - start);
+  }
+  return 1e3 * least;
+}
+
+void draw(const TeMeasuredMethod& method, std::vector<TeSeamlessMesh::Triangle>& mesh,
+          TeDrawnSurface& surface) {
+  mesh.clear();
+  method.appendMesh(mesh);
+  surface.draw(mesh);
+}
+
+} // namespace
+
+TeLodFigures teMeasureLod(TeMeasuredMethod& method, const TeDial& dial, const TeMeasuredTerrain& terrain,
+                          const TeFlyover& flight, int frames, int stride,
+                          const std::function<void(int)>& progress) {
+  // Of the bound, for what rounds in heights as float and in positions.
+  constexpr double kRounding = 1 + 1e-5;
+  TeLodFigures figures;
+  std::vector<double> times;
+  std::vector<TeSeamlessMesh::Triangle> mesh;
+  TeDrawnSurface surface(terrain.cells());
+  TeDrawnSurface next(terrain.cells());
+  for (int i = 0; i < frames; i++) {
+    const TeLodView view = flight.view(i * stride).lodView();
+    times.push_back(selectMs(method, view, dial));
+    const TeSelected selected = method.selected();
+    figures.triangles += double(selected.triangles) / frames;
+    figures.drawCalls += double(selected.drawCalls) / frames;
+    figures.parts += double(selected.parts) / frames;
+    figures.visited += double(selected.visited) / frames;
+    figures.uploadBytes += double(selected.uploadBytes) / frames;
+    figures.dial += selected.dial / frames;
+    figures.boundPixels = std::max(figures.boundPixels, selected.boundPixels);
+
+    // With a stride of 1 the surface is the one that followed the last frame.
+    if (i == 0 || stride > 1 || mesh.empty())
+      draw(method, mesh, surface);
+    else
+      std::swap(surface, next);
+    figures.cracks += teCountCracks(mesh, terrain, view);
+    figures.overshoots +=
+        figures.errors.add(terrain, view, surface).worstPixels > selected.boundPixels * kRounding + 1e-9;
+
+    const TeLodView following = flight.view(i * stride + 1).lodView();
+    method.select(following, dial);
+    draw(method, mesh, next);
+    figures.errors.addJump(terrain, following, surface, next);
+    progress(i + 1);
+  }
+  figures.selectMs = TeSpread::of(std::move(times));
+  return figures;
+}

@@ -1,0 +1,15 @@
+// terrane-accuracy: what accuracy costs in time.
+
+#include "apps/common/TeAppLog.h"
+#include "apps/common/TeCommandLine.h"
+#include "apps/terrane-accuracy/TeLodCommand.h"
+
+extern "C" int teMain(int argc, char** argv) {
+  TeCommandLine commandLine("terrane-accuracy", "Measures what accuracy costs in time.");
+  TeLodCommand lod(commandLine);
+  commandLine.cli().require_subcommand(1);
+  if (const std::optional<int> status = commandLine.parse(argc, argv))
+    return *status;
+  teStartAppLog(commandLine.application(), commandLine.common().quiet);
+  return lod.run();
+}

@@ -1,0 +1,133 @@
+// terrane-accuracy as its users meet it: tables of the right columns, repeatable, and clear errors.
+
+#include "apps/TeAppRun.h"
+
+#include <cmath>
+#include <fstream>
+#include <sstream>
+
+namespace {
+
+class TerraneAccuracy : public TeAppRun {
+protected:
+  TerraneAccuracy() : TeAppRun("terrane-accuracy") {}
+
+  /// 129² samples of rough hills.
+  std::string hills() {
+    const std::string file = scratch("hills.raw");
+    std::ofstream stream(file, std::ios::binary);
+    for (int y = 0; y < 129; y++)
+      for (int x = 0; x < 129; x++) {
+        const int height = int(20000 + 15000 * std::sin(x / 11.0) * std::cos(y / 7.0) + 40 * (x * y % 23));
+        stream.put(char(height & 255)).put(char(height >> 8));
+      }
+    return file;
+  }
+
+  static std::string contents(const std::string& file) {
+    std::ifstream stream(file);
+    return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
+  }
+};
+
+std::vector<std::string> lines(const std::string& text) {
+  std::vector<std::string> all;
+  std::istringstream stream(text);
+  for (std::string line; std::getline(stream, line);)
+    all.push_back(line);
+  return all;
+}
+
+/// A JSON report without what differs from run to run.
+nlohmann::json repeatable(const std::string& text) {
+  nlohmann::json json = nlohmann::json::parse(text);
+  json.erase("memory_peak_bytes");
+  json.erase("arguments");
+  for (nlohmann::json& row : json["rows"])
+    for (const char* name : {"select_ms", "select_low_ms", "select_high_ms", "frame_ms"})
+      row.erase(name);
+  return json;
+}
+
+TEST_F(TerraneAccuracy, LodMeasuresWhatItWrites) {
+  const TeChildResult result = run(
+      {"lod",         "--map",     hills(),    "--cells",  "10",        "--height-unit", "0.001",
+       "--flyover",   "--methods", "seamless", "--layout", "4/2",       "--px",          "1,8",
+       "--precision", "2",         "--frames", "3",        "--no-draw", "--out",         scratch("out/lod")});
+  ASSERT_EQ(result.status, 0) << result.error;
+  const std::vector<std::string> csv = lines(contents(scratch("out/lod/lod.csv")));
+  ASSERT_EQ(csv.size(), 4u);
+  EXPECT_EQ(csv[0].rfind("method,wanted_px,dial,triangles,select_ms,upload_bytes,frame_ms,worst_px,p999_px,"
+                         "rms_px,worst_m,bound_px,uncovered,cracks,popping_px,bytes_per_sample",
+                         0),
+            0u)
+      << csv[0];
+  EXPECT_EQ(csv[1].rfind("seamless,2,", 0), 0u) << csv[1];
+  EXPECT_EQ(csv[3].rfind("seamless,,2,", 0), 0u) << csv[3];
+
+  const nlohmann::json json = nlohmann::json::parse(contents(scratch("out/lod/lod.json")));
+  EXPECT_EQ(json["application"], "terrane-accuracy");
+  EXPECT_EQ(json["terrain"]["samples"], 129);
+  ASSERT_EQ(json["rows"].size(), 3u);
+  for (const nlohmann::json& row : json["rows"]) {
+    EXPECT_LE(row["worst_px"].get<double>(), row["bound_px"].get<double>() * 1.00001) << row;
+    EXPECT_LE(row["rms_px"], row["worst_px"]) << row;
+    EXPECT_LE(row["p999_px"], row["worst_px"]) << row;
+    EXPECT_EQ(row["overshoots"], 0) << row;
+    EXPECT_EQ(row["uncovered"], 0) << row;
+    EXPECT_EQ(row["cracks"], 0) << row;
+    EXPECT_GT(row["triangles"], 0) << row;
+  }
+  EXPECT_LE(json["rows"][0]["worst_px"], 2.00002);
+  EXPECT_GT(json["rows"][0]["worst_px"], 0);
+  EXPECT_GT(json["rows"][0]["triangles"], json["rows"][1]["triangles"]);
+  EXPECT_NE(contents(scratch("out/lod/lod.md")).find("| method | wanted_px |"), std::string::npos);
+}
+
+TEST_F(TerraneAccuracy, LodRepeatsButForTimes) {
+  const std::string map = hills();
+  for (const char* folder : {"a", "b"}) {
+    const TeChildResult result =
+        run({"lod", "--map", map, "--layout", "4/3", "--methods", "seamless-geomorph", "--px", "4",
+             "--frames", "2", "--no-draw", "--out", scratch(folder)});
+    ASSERT_EQ(result.status, 0) << result.error;
+  }
+  EXPECT_EQ(repeatable(contents(scratch("a/lod.json"))), repeatable(contents(scratch("b/lod.json"))));
+}
+
+TEST_F(TerraneAccuracy, HelpNamesTheOptions) {
+  const TeChildResult all = run({"--help"});
+  EXPECT_EQ(all.status, 0);
+  EXPECT_NE(all.output.find("lod"), std::string::npos);
+  const TeChildResult lod = run({"lod", "--help"});
+  EXPECT_EQ(lod.status, 0);
+  for (const char* option : {"--map", "--cells", "--height-unit", "--dem", "--flyover", "--methods", "--px",
+                             "--precision", "--layout", "--stride", "--out", "--no-draw"})
+    EXPECT_NE(lod.output.find(option), std::string::npos) << option;
+}
+
+TEST_F(TerraneAccuracy, BadUsageIsRefused) {
+  const std::string map = hills();
+  expectRefused({}, 2, "subcommand");
+  expectRefused({"no-such"}, 2, "subcommand");
+  expectRefused({"lod", "--no-draw"}, 2, "--map");
+  expectRefused({"lod", "--map", scratch("none.raw")}, 2, "none.raw");
+  expectRefused({"lod", "--map", scratch("")}, 2, "is no file");
+  expectRefused({"lod", "--map", map, "--dem", map}, 2, "--dem");
+  expectRefused({"lod", "--map", map, "--cells", "0"}, 2, "--cells");
+  expectRefused({"lod", "--map", map, "--height-unit", "nan"}, 2, "--height-unit");
+  expectRefused({"lod", "--map", map, "--px", "0"}, 2, "--px");
+  expectRefused({"lod", "--map", map, "--px", "1,x"}, 2, "--px");
+  expectRefused({"lod", "--map", map, "--precision", "0.5"}, 2, "--precision");
+  expectRefused({"lod", "--map", map, "--methods", "roam9"}, 2, "--methods");
+  expectRefused({"lod", "--map", map, "--layout", "16"}, 2, "--layout");
+  expectRefused({"lod", "--map", map, "--layout", "3/2"}, 2, "--layout");
+  expectRefused({"lod", "--map", map, "--stride", "0"}, 2, "--stride");
+  expectRefused({"lod", "--map", map, "--layout", "4/2", "--no-draw", "--out", "/dev/null/x"}, 1,
+                "/dev/null/x");
+  const std::string odd = scratch("odd.raw");
+  std::ofstream(odd) << "no square";
+  expectRefused({"lod", "--map", odd}, 2, odd);
+}
+
+} // namespace
