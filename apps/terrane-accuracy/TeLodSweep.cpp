@@ -26,6 +26,17 @@ void draw(const TeMeasuredMethod& method, std::vector<TeSeamlessMesh::Triangle>&
   surface.draw(mesh);
 }
 
+TeScreenError::Report measure(const std::vector<TeSeamlessMesh::Triangle>& mesh, const TeLodView& view,
+                              TeScreenError& error) {
+  const auto vertex = [](const TeSeamlessMesh::Vertex& v) {
+    return TeScreenError::Vertex{v.column, v.row, v.height};
+  };
+  error.clear();
+  for (const TeSeamlessMesh::Triangle& triangle : mesh)
+    error.add(vertex(triangle.a), vertex(triangle.b), vertex(triangle.c));
+  return error.measure(view);
+}
+
 } // namespace
 
 TeLodFigures teMeasureLod(TeMeasuredMethod& method, const TeDial& dial, const TeMeasuredTerrain& terrain,
@@ -38,6 +49,7 @@ TeLodFigures teMeasureLod(TeMeasuredMethod& method, const TeDial& dial, const Te
   std::vector<TeSeamlessMesh::Triangle> mesh;
   TeDrawnSurface surface(terrain.cells());
   TeDrawnSurface next(terrain.cells());
+  TeScreenError error(terrain.heights, glm::dvec3(0), terrain.spacing, terrain.heightScale);
   for (int i = 0; i < frames; i++) {
     const TeLodView view = flight.view(i * stride).lodView();
     times.push_back(selectMs(method, view, dial));
@@ -56,8 +68,9 @@ TeLodFigures teMeasureLod(TeMeasuredMethod& method, const TeDial& dial, const Te
     else
       std::swap(surface, next);
     figures.cracks += teCountCracks(mesh, terrain, view);
-    figures.overshoots +=
-        figures.errors.add(terrain, view, surface).worstPixels > selected.boundPixels * kRounding + 1e-9;
+    const TeScreenError::Report report = measure(mesh, view, error);
+    figures.errors.add(report);
+    figures.overshoots += report.worst > selected.boundPixels * kRounding + 1e-9;
 
     const TeLodView following = flight.view(i * stride + 1).lodView();
     method.select(following, dial);

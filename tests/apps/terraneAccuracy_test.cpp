@@ -62,7 +62,7 @@ TEST_F(TerraneAccuracy, LodMeasuresWhatItWrites) {
                          0),
             0u)
       << csv[0];
-  EXPECT_EQ(csv[1].rfind("seamless,2,", 0), 0u) << csv[1];
+  EXPECT_EQ(csv[1].rfind("seamless,1,", 0), 0u) << csv[1];
   EXPECT_EQ(csv[3].rfind("seamless,,2,", 0), 0u) << csv[3];
 
   const nlohmann::json json = nlohmann::json::parse(contents(scratch("out/lod/lod.json")));
@@ -78,7 +78,7 @@ TEST_F(TerraneAccuracy, LodMeasuresWhatItWrites) {
     EXPECT_EQ(row["cracks"], 0) << row;
     EXPECT_GT(row["triangles"], 0) << row;
   }
-  EXPECT_LE(json["rows"][0]["worst_px"], 2.00002);
+  EXPECT_LE(json["rows"][0]["worst_px"], 1.00001);
   EXPECT_GT(json["rows"][0]["worst_px"], 0);
   EXPECT_GT(json["rows"][0]["triangles"], json["rows"][1]["triangles"]);
   EXPECT_NE(contents(scratch("out/lod/lod.md")).find("| method | wanted_px |"), std::string::npos);
