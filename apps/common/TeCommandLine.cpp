@@ -60,7 +60,7 @@ std::string checkPoint(std::string& text) {
 
 } // namespace
 
-TeCommandLine::TeCommandLine(const std::string& application, const std::string& description)
+TeCommandLine::TeCommandLine(const std::string& application, const std::string& description, bool draws)
     : m_cli(description, application), m_application(application) {
   m_common.context = teContextChoice(0, nullptr);
   const std::string common = "Common options";
@@ -68,22 +68,8 @@ TeCommandLine::TeCommandLine(const std::string& application, const std::string& 
   m_cli.set_help_flag("-h,--help", "Print this and exit")->group(common);
   m_cli.set_version_flag("--version", application + " " TERRANE_VERSION, "Print the version and exit")
       ->group(common);
-  m_cli
-      .add_option("--context", m_common.context,
-                  "window, egl or osmesa (default: window if there is a display)")
-      ->check(CLI::IsMember({"window", "egl", "osmesa"}))
-      ->option_text("NAME")
-      ->group(common);
-  m_cli.add_option("--offscreen", m_common.offscreen, "Write the last frame as a PNG picture")
-      ->check(notEmpty())
-      ->option_text("OUT.png")
-      ->group(common);
-  m_cli.add_option("--size", m_size, "Pixels (default: 1024x768)")
-      ->check(CLI::Validator(checkSize, ""))
-      ->option_text("WxH")
-      ->group(common);
-  addInteger("--frames", m_common.frames, 1, 1'000'000'000, "Frames to draw, then exit")->group(common);
-  addNumber("--dt", m_common.dt, 0, 86400, "Seconds a frame, for runs that repeat exactly")->group(common);
+  if (draws)
+    addDrawing(common);
   m_cli.add_option("--seed", m_common.seed, "The world's seed (default: 0)")
       ->transform(CLI::Validator(checkSeed, ""))
       ->option_text("N")
@@ -93,6 +79,25 @@ TeCommandLine::TeCommandLine(const std::string& application, const std::string& 
       ->option_text("OUT.json")
       ->group(common);
   m_cli.add_flag("--quiet", m_common.quiet, "Print errors only")->group(common);
+}
+
+void TeCommandLine::addDrawing(const std::string& group) {
+  m_cli
+      .add_option("--context", m_common.context,
+                  "window, egl or osmesa (default: window if there is a display)")
+      ->check(CLI::IsMember({"window", "egl", "osmesa"}))
+      ->option_text("NAME")
+      ->group(group);
+  m_cli.add_option("--offscreen", m_common.offscreen, "Write the last frame as a PNG picture")
+      ->check(notEmpty())
+      ->option_text("OUT.png")
+      ->group(group);
+  m_cli.add_option("--size", m_size, "Pixels (default: 1024x768)")
+      ->check(CLI::Validator(checkSize, ""))
+      ->option_text("WxH")
+      ->group(group);
+  addInteger("--frames", m_common.frames, 1, 1'000'000'000, "Frames to draw, then exit")->group(group);
+  addNumber("--dt", m_common.dt, 0, 86400, "Seconds a frame, for runs that repeat exactly")->group(group);
 }
 
 CLI::Option* TeCommandLine::addNumber(const std::string& name, double& value, double minimum, double maximum,

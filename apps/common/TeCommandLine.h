@@ -11,7 +11,8 @@
 /// The command line of an application: the common options, to which it adds its own through cli().
 class TeCommandLine {
 public:
-  TeCommandLine(const std::string& application, const std::string& description);
+  /// Without `draws` it has only those common options that do not concern drawing.
+  TeCommandLine(const std::string& application, const std::string& description, bool draws = true);
 
   CLI::App& cli() { return m_cli; }
   const TeCommonOptions& common() const { return m_common; }
@@ -39,6 +40,8 @@ public:
   static CLI::Validator notEmpty();
 
 private:
+  void addDrawing(const std::string& group);
+
   CLI::App m_cli;
   TeCommonOptions m_common;
   std::string m_application;

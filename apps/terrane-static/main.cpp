@@ -6,6 +6,7 @@
 #include "apps/common/TeExit.h"
 #include "apps/common/TeProgressLine.h"
 #include "apps/common/TeReport.h"
+#include "apps/common/TeStopwatch.h"
 #include "apps/terrane-static/TeStaticDrawing.h"
 #include "apps/terrane-static/TeStaticOptions.h"
 #include "apps/terrane-static/TeStaticScene.h"
@@ -15,22 +16,11 @@
 
 #include <Inventor/actions/SoGetPrimitiveCountAction.h>
 
-#include <chrono>
 #include <cstdio>
 
 namespace {
 
 const char* kName = "terrane-static";
-
-class Stopwatch {
-public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-  }
-
-private:
-  std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
-};
 
 void describe(const TeStaticBlock& block, const TeAppWorld& made, int triangles, TeReport& report) {
   auto& json = report.json();
@@ -63,20 +53,20 @@ int run(const TeCommandLine& commandLine, const TeStaticOptions& options) {
   const TeCommonOptions& common = commandLine.common();
   TeReport report(kName, commandLine.commandText());
 
-  const Stopwatch opening;
+  const TeStopwatch opening;
   TeResult<TeAppWorld> made = TeAppWorld::create(options.terrain, options.block, common.seed);
   if (!made)
     return teExitWith(TeExitUsage, kName, made.error().message);
   made->centre += options.center;
   report.addTime("open", opening.seconds());
 
-  const Stopwatch building;
+  const TeStopwatch building;
   const TeResult<TeStaticBlock> block = makeTerrain(*made, options.block, common.quiet);
   if (!block)
     return teExitWith(TeExitUsage, kName, block.error().message);
   report.addTime("terrain", building.seconds());
 
-  const Stopwatch modelling;
+  const TeStopwatch modelling;
   TeNodes::init();
   const TeResult<TeNodePtr<SoSeparator>> scene =
       teStaticScene(*block, options, float(common.width) / float(common.height));

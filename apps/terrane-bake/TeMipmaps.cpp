@@ -1,0 +1,123 @@
+#include "apps/terrane-bake/TeMipmaps.h"
+
+#include "apps/common/TeExit.h"
+#include "apps/common/TeProgressLine.h"
+#include "apps/common/TeStopwatch.h"
+#include "apps/terrane-bake/TeBakeSource.h"
+#include "apps/terrane-bake/TeTerrainDescription.h"
+#include "nodes/clipmap/TePyramidWriter.h"
+
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cstdio>
+
+namespace {
+
+/// How work ends, and why if it did not succeed.
+struct Outcome {
+  TeExit status = TeExitSuccess;
+  std::string reason;
+};
+
+Outcome badInput(const TeError& error) { return {TeExitUsage, error.message}; }
+Outcome failed(const TeError& error) { return {TeExitFailure, error.message}; }
+
+class Mipmaps {
+public:
+  Mipmaps(const TeMipmapsOptions& options, bool quiet, TeReport& report)
+      : m_options(options), m_quiet(quiet), m_report(report) {}
+
+  Outcome run() {
+    TeResult<TeBakeSource> source = TeBakeSource::open(m_options);
+    if (!source)
+      return badInput(source.error());
+    const TePyramidPlan plan{m_options.output, source->level(), source->sampleBytes(), source->fingerprint()};
+    if (TeStatus ok = mayWrite(plan); !ok)
+      return badInput({ok.error().message + "; --force replaces what is there"});
+    if (Outcome end = measure(*source); end.status != TeExitSuccess)
+      return end;
+    TeResult<TePyramidWriter> writer = TePyramidWriter::open(plan);
+    if (!writer)
+      return failed(writer.error());
+    if (Outcome end = writeLevels(*source, *writer); end.status != TeExitSuccess)
+      return end;
+    const std::string description = TeTerrainDescription::besidePyramid(plan.name);
+    ::unlink(description.c_str()); // it would speak of other files
+    if (TeStatus ok = writer->finish(); !ok)
+      return failed(ok.error());
+    if (TeStatus ok = describe(*source).write(description); !ok)
+      return failed(ok.error());
+    writer->forget();
+    return {};
+  }
+
+private:
+  TeStatus mayWrite(const TePyramidPlan& plan) const {
+    if (m_options.force)
+      return {};
+    return TePyramidWriter::check(plan);
+  }
+
+  Outcome measure(TeBakeSource& source) {
+    const TeStopwatch time;
+    TeProgressLine line("Looking at heights", m_quiet);
+    if (TeStatus ok = source.measure([&](double done) { line.update(done); }); !ok)
+      return badInput(ok.error());
+    m_report.addTime("measure", time.seconds());
+    return {};
+  }
+
+  Outcome writeLevels(TeBakeSource& source, TePyramidWriter& writer) {
+    const TeStopwatch time;
+    const int side = tePyramidSide(source.level());
+    m_report.json()["resumed_from_row"] = writer.nextRow();
+    std::vector<unsigned char> row(std::size_t(side) * std::size_t(source.sampleBytes()));
+    TeProgressLine line("Writing levels", m_quiet);
+    while (writer.nextRow() < side) {
+      if (TeStatus ok = source.read(writer.nextRow(), row.data()); !ok)
+        return badInput(ok.error());
+      if (TeStatus ok = writer.write(row.data()); !ok)
+        return failed(ok.error());
+      line.update(double(writer.nextRow()) / side);
+    }
+    m_report.addTime("levels", time.seconds());
+    return {};
+  }
+
+  TeTerrainDescription describe(const TeBakeSource& source) const {
+    TeTerrainDescription description;
+    description.samples = tePyramidSide(source.level());
+    description.sampleBytes = source.sampleBytes();
+    description.spacing = source.spacing();
+    description.heightUnit = source.heightUnit();
+    description.heightOffset = source.heightOffset();
+    description.colour = source.isColour();
+    description.levels = source.level() + 1;
+    description.source = m_options.input;
+    auto& json = m_report.json();
+    json["levels"] = description.levels;
+    json["samples"] = description.samples;
+    json["sample_bytes"] = description.sampleBytes;
+    json["spacing_m"] = description.spacing;
+    json["height_unit_m"] = description.heightUnit;
+    json["height_offset_m"] = description.heightOffset;
+    return description;
+  }
+
+  const TeMipmapsOptions& m_options;
+  bool m_quiet;
+  TeReport& m_report;
+};
+
+} // namespace
+
+int teBakeMipmaps(const std::string& application, const TeMipmapsOptions& options,
+                  const TeCommonOptions& common, TeReport& report) {
+  const Outcome end = Mipmaps(options, common.quiet, report).run();
+  if (end.status != TeExitSuccess)
+    return teExitWith(end.status, application, end.reason);
+  if (!common.quiet)
+    std::printf("%s: levels 0 to %d\n", options.output.c_str(), int(report.json()["levels"]) - 1);
+  return TeExitSuccess;
+}
