@@ -1,58 +1,17 @@
 #include "nodes/seamless/TeSeamlessRenderer.h"
 
-#include "render/TeGlNeighbour.h"
-#include "render/TeRenderTest.h"
-#include "render/comparePixels.h"
-#include "render/magenta.h"
-#include "render/meshScene.h"
+#include "render/SeamlessRenderTest.h"
 #include "render/seamlessPyramid.h"
-#include "render/seamlessScene.h"
+
+#include <Inventor/nodes/SoMaterial.h>
 
 #include <array>
-#include <cstdio>
 #include <cstring>
+#include <set>
 
 namespace {
 
-class TeSeamlessRendererTest : public TeRenderTest {
-protected:
-  /// Before the scene: the drawing is freed in its context.
-  std::unique_ptr<SeamlessScene> hills(TeSeamlessTechnique::Colours colours = TeSeamlessTechnique::Slope) {
-    const TeSeamlessLayout layout = seamlessLayout(128, 4, 3);
-    auto scene = std::make_unique<SeamlessScene>(layout, 1);
-    scene->look.technique = {TeSeamlessTechnique::Heightmap, colours, true};
-    scene->look.heights = hillyMap(128, 12);
-    scene->look.slopes = TeSeamlessSlopeColours::forHeights(-14, 14);
-    return scene;
-  }
-  /// Seen from one side and above; `before` stands before the terrain.
-  TePicture show(SeamlessScene& scene, const std::string& name = "",
-                 const std::vector<SoNode*>& before = {}) {
-    const TePicture picture = showNode(scene.node.get(), name, before);
-    EXPECT_EQ(scene.error, "");
-    return picture;
-  }
-  TePicture showNode(SoNode* node, const std::string& name = "", const std::vector<SoNode*>& before = {}) {
-    TeNodePtr<SoSeparator> group(new SoSeparator);
-    for (SoNode* other : before)
-      group->addChild(other);
-    group->addChild(node);
-    const auto scene = sideView(group.get(), 130);
-    auto* camera = static_cast<SoPerspectiveCamera*>(scene->getChild(0));
-    camera->nearDistance = 1;
-    camera->farDistance = 1000;
-    auto renderer = TeSceneRenderer::create(context(), 320, 240);
-    EXPECT_TRUE(renderer);
-    (*renderer)->setBackground(SbColor(1, 0, 1));
-    (*renderer)->setFitClipPlanes(false);
-    TeResult<TePicture> picture = (*renderer)->render(scene.get());
-    EXPECT_TRUE(picture) << (picture ? "" : picture.error().message);
-    if (!s_folder.empty() && !name.empty()) {
-      EXPECT_TRUE(picture->writePng(s_folder + "/" + name + ".png"));
-    }
-    return std::move(*picture);
-  }
-};
+using TeSeamlessRendererTest = SeamlessRenderTest;
 
 // A triangle as numbers that can be compared: samples and the bits of heights.
 using Corners = std::array<std::array<std::int32_t, 3>, 3>;
@@ -142,4 +101,222 @@ TEST_F(TeSeamlessRendererTest, DrawsTheClipmapsHeightsInEveryFormatBitForBit) {
       ASSERT_TRUE(context().makeCurrent());
       pyramid.free();
     }
+}
+
+// The document's combinations and those with colours by height and slope.
+TEST_F(TeSeamlessRendererTest, EveryTechniqueDrawsAndIsCompiledOnlyWhenItIsUsed) {
+  const auto map = hillyMap(128, 12, 20);
+  SeamlessPyramid pyramid(*map, 33, TeClipFormat::Short);
+  pyramid.update(context().id(), {60, 70});
+  SeamlessScene scene(seamlessLayout(128, 4, 3), 1);
+  scene.selectAround(3, false, &pyramid.clipmap.residency);
+  scene.heightClipmap = &pyramid.clipmap;
+  scene.look.heights = map;
+  scene.look.texture = picture(64, [](int x, int y) {
+    return TePicture::Pixel{std::uint8_t(4 * x), std::uint8_t(4 * y), 90, 255};
+  });
+  scene.look.mask = picture(16, [](int x, int y) {
+    return TePicture::Pixel{std::uint8_t(16 * x), std::uint8_t(16 * y), 60, 0};
+  });
+  scene.look.details = {plainPicture(200, 60, 60), plainPicture(60, 200, 60), plainPicture(60, 60, 200),
+                        plainPicture(0, 0, 0)};
+  scene.look.slopes = TeSeamlessSlopeColours::forHeights(4, 36);
+  std::set<std::pair<int, int>> drawn; // classic and instanced share a program
+  std::vector<TePicture> pictures;
+  for (const TeSeamlessTechnique& technique : TeSeamlessTechnique::all()) {
+    scene.look.technique = technique;
+    const TePicture shown = show(scene, "seamless-" + technique.name());
+    EXPECT_GT(320 * 240 - countMagenta(shown), 10000) << technique.name();
+    EXPECT_EQ(enclosedBackground(shown), 0) << technique.name();
+    drawn.insert({technique.heights, technique.colours});
+    EXPECT_EQ(scene.drawing->renderer(context().id())->programsCompiled(), int(drawn.size()))
+        << technique.name();
+    EXPECT_EQ(scene.counts.drawCalls == scene.counts.instances, !technique.instanced) << technique.name();
+    pictures.push_back(shown);
+  }
+  for (std::size_t i = 0; i < pictures.size(); i += 2) {
+    EXPECT_EQ(pictures[i], pictures[i + 1]) << TeSeamlessTechnique::all()[i].name(); // classic, instanced
+    for (std::size_t j = 0; j < i; j += 2)
+      EXPECT_NE(pictures[i], pictures[j]);
+  }
+  ASSERT_TRUE(context().makeCurrent());
+  pyramid.free();
+}
+
+// Unlit, seen from above: what is drawn is the colour asked for.
+TEST_F(TeSeamlessRendererTest, ColoursAreThoseOfTheTechniqueTimesTheMaterials) {
+  SeamlessScene scene(seamlessLayout(64, 4, 3), 1);
+  const auto model = unlit();
+  auto* material = new SoMaterial;
+  material->diffuseColor.setValue(1, 1, 0.5f);
+  const auto count = [&](const TePicture& shown, TePicture::Pixel pixel) {
+    int number = 0;
+    for (std::size_t i = 0; i < shown.rgba.size(); i += 4)
+      number += std::equal(pixel.begin(), pixel.end(), &shown.rgba[i]);
+    return number;
+  };
+  const TeNodePtr<SoMaterial> held(material);
+  const auto shown = [&] { return show(scene, "", {model.get(), material}); };
+  const TePicture plain = shown();
+  const int tiles = count(plain, {255, 255, 128, 255});
+  const int strips = count(plain, {255, 0, 0, 255});
+  EXPECT_GT(tiles, 1000);
+  EXPECT_GT(strips, 1000);
+  EXPECT_EQ(tiles + strips, 320 * 240 - countMagenta(plain));
+
+  scene.look.technique.colours = TeSeamlessTechnique::Texture;
+  scene.look.texture = plainPicture(100, 200, 40);
+  EXPECT_EQ(count(shown(), {100, 200, 20, 255}), tiles + strips);
+  scene.look.technique.colours = TeSeamlessTechnique::Detailmaps;
+  scene.look.mask = picture(2, [](int, int) { return TePicture::Pixel{0, 255, 0, 0}; });
+  scene.look.details = {scene.look.texture, plainPicture(10, 20, 30), scene.look.texture, scene.look.texture};
+  EXPECT_EQ(count(shown(), {10, 20, 15, 255}), tiles + strips);
+  scene.look.technique.colours = TeSeamlessTechnique::Slope;
+  for (auto& layer : scene.look.slopes.layers)
+    layer.colour = {0.4f, 0.8f, 1};
+  EXPECT_EQ(count(shown(), {102, 204, 128, 255}), tiles + strips);
+}
+
+TEST_F(TeSeamlessRendererTest, ATextureLiesOverTheTerrainFromTheSouthWest) {
+  SeamlessScene scene(seamlessLayout(64, 4, 3), 1);
+  scene.look.technique.colours = TeSeamlessTechnique::Texture;
+  scene.look.texture = picture(64, [](int x, int y) {
+    return TePicture::Pixel{std::uint8_t(x < 32 ? 250 : 10), std::uint8_t(y < 32 ? 250 : 10), 0, 255};
+  });
+  const auto model = unlit();
+  const TeNodePtr<SoMaterial> white(new SoMaterial);
+  white->diffuseColor.setValue(1, 1, 1);
+  const TePicture shown = showFromAbove(scene, {model.get(), white.get()});
+  EXPECT_EQ(shown.pixel(60, 60), (TePicture::Pixel{250, 250, 0, 255}));
+  EXPECT_EQ(shown.pixel(180, 60), (TePicture::Pixel{10, 250, 0, 255}));
+  EXPECT_EQ(shown.pixel(60, 180), (TePicture::Pixel{250, 10, 0, 255}));
+  EXPECT_EQ(shown.pixel(180, 180), (TePicture::Pixel{10, 10, 0, 255}));
+}
+
+TEST_F(TeSeamlessRendererTest, WireframeShowsEdgesOnly) {
+  const auto scene = hills();
+  const int solid = 320 * 240 - countMagenta(show(*scene));
+  scene->look.wireframe = true;
+  scene->select(selectLevel(scene->layout, 1, [](const TeSideKey&) { return 0.0f; }));
+  const int lines = 320 * 240 - countMagenta(show(*scene, "seamless-wireframe"));
+  EXPECT_GT(lines, 1000);
+  EXPECT_LT(lines, 0.7 * solid);
+}
+
+TEST_F(TeSeamlessRendererTest, HeightsAndPicturesAreUploadedOnceAndAgainWhenTheyChange) {
+  const auto scene = hills(TeSeamlessTechnique::Texture);
+  scene->look.texture = plainPicture(1, 2, 3);
+  show(*scene);
+  const std::int64_t heights = std::int64_t(129) * 129 * 8;
+  EXPECT_GT(scene->counts.bytesUploaded, heights);
+  const std::int64_t instances = scene->counts.instances * std::int64_t(sizeof(TeSeamlessInstance));
+  show(*scene);
+  EXPECT_EQ(scene->counts.bytesUploaded, instances);
+  scene->look.technique.instanced = false;
+  show(*scene);
+  EXPECT_EQ(scene->counts.bytesUploaded, 0);
+  scene->look.heights = hillyMap(128, 3);
+  show(*scene);
+  EXPECT_EQ(scene->counts.bytesUploaded, heights);
+  scene->look.texture = plainPicture(3, 2, 1);
+  show(*scene);
+  EXPECT_EQ(scene->counts.bytesUploaded, 4 * 4 * 4);
+}
+
+TEST_F(TeSeamlessRendererTest, WhatATechniqueLacksIsAnErrorThatNamesIt) {
+  SeamlessScene scene(seamlessLayout(128, 4, 3), 1);
+  const auto errorOf = [&](const char* technique) {
+    scene.look.technique = *TeSeamlessTechnique::named(technique);
+    const TePicture shown = showNode(scene.node.get());
+    EXPECT_EQ(countMagenta(shown), 320 * 240) << technique;
+    return scene.error;
+  };
+  EXPECT_EQ(errorOf("HeightmapColorInstanced"),
+            "seamless patches: technique HeightmapColorInstanced needs a height map");
+  scene.look.heights = hillyMap(64);
+  EXPECT_EQ(errorOf("HeightmapColorInstanced"), "seamless patches: technique HeightmapColorInstanced needs a "
+                                                "height map of 129x129 samples, not 65x65");
+  EXPECT_EQ(errorOf("ClipmapsColorClassic"),
+            "seamless patches: technique ClipmapsColorClassic needs a clipmap of heights");
+  EXPECT_EQ(errorOf("FlatTextureClassic"), "seamless patches: technique FlatTextureClassic needs a texture");
+  EXPECT_EQ(errorOf("FlatDetailmapsClassic"),
+            "seamless patches: technique FlatDetailmapsClassic needs a mask");
+  scene.look.mask = plainPicture(255, 0, 0);
+  scene.look.details[0] = scene.look.mask;
+  EXPECT_EQ(errorOf("FlatDetailmapsClassic"), "seamless patches: technique FlatDetailmapsClassic needs four "
+                                              "detail textures; number 2 is missing");
+  TeHeightMap holes = *hillyMap(128);
+  holes.at(3, 4) = TeHeightMap::missing();
+  scene.look.heights = std::make_shared<const TeHeightMap>(std::move(holes));
+  EXPECT_EQ(errorOf("HeightmapColorInstanced"),
+            "seamless patches: a height map with missing samples cannot be drawn");
+}
+
+TEST_F(TeSeamlessRendererTest, AHeightMapTooLargeForTheGpuIsAnErrorThatRecommendsClipmaps) {
+  GLint largest = 0;
+  context().gl().getIntegerv(GL_MAX_TEXTURE_SIZE, &largest);
+  if (largest > 16384)
+    GTEST_SKIP() << "textures of " << largest;
+  SeamlessScene scene(seamlessLayout(2 * largest, 16, 3), 1);
+  scene.look.technique.heights = TeSeamlessTechnique::Heightmap;
+  auto row = TeHeightMap::create(largest + 1, 1);
+  ASSERT_TRUE(row);
+  const auto map = std::make_shared<const TeHeightMap>(std::move(*row));
+  TeSeamlessGl gl;
+  ASSERT_TRUE(gl.load(context().id()));
+  TeSeamlessObjects objects(gl);
+  TeSeamlessTextures textures(gl, objects);
+  const TeResult<GLuint> texture = textures.heights(map);
+  ASSERT_FALSE(texture);
+  const std::string side = std::to_string(largest);
+  EXPECT_EQ(texture.error().message, "seamless patches: a height map of " + std::to_string(largest + 1) +
+                                         "x1 does not fit into a texture, which this OpenGL allows to be " +
+                                         side + "x" + side + "; draw it by clipmaps");
+}
+
+TEST_F(TeSeamlessRendererTest, AViewThatShowsNothingDrawsNothing) {
+  const auto scene = hills();
+  TeSeamlessRenderer renderer(context().id(), scene->layout, scene->parts);
+  const TeSeamlessFrame flattened(scene->placement, glm::dmat4(0), glm::dmat4(1));
+  const auto counts = renderer.draw(scene->lists, scene->look, flattened);
+  ASSERT_TRUE(counts);
+  EXPECT_EQ(counts->drawCalls, 0);
+  EXPECT_EQ(renderer.programsCompiled(), 0);
+}
+
+TEST_F(TeSeamlessRendererTest, NothingOfItStaysBehind) {
+  const std::int64_t before = TeSeamlessRenderer::liveObjects();
+  for (int round = 0; round < 3; round++) {
+    const auto scene = hills(TeSeamlessTechnique::Texture);
+    scene->look.texture = plainPicture(9, 9, 9);
+    show(*scene);
+    EXPECT_GT(TeSeamlessRenderer::liveObjects(), before);
+  }
+  // Its objects go when the context is next drawn in.
+  showNode(new SoSeparator);
+  EXPECT_EQ(TeSeamlessRenderer::liveObjects(), before);
+}
+
+TEST_F(TeSeamlessRendererTest, DrawsInTwoContextsAndOutlivesThem) {
+  const std::int64_t before = TeSeamlessRenderer::liveObjects();
+  auto scene = hills();
+  const TePicture first = show(*scene);
+  const std::int64_t ofOne = TeSeamlessRenderer::liveObjects() - before;
+  {
+    auto other = TeContext::create(s_kind, 64, 64);
+    ASSERT_TRUE(other);
+    EXPECT_EQ(renderIn(**other, scene->node.get()), first);
+    EXPECT_EQ(TeSeamlessRenderer::liveObjects(), before + 2 * ofOne);
+  }
+  EXPECT_EQ(TeSeamlessRenderer::liveObjects(), before + ofOne);
+  EXPECT_EQ(show(*scene), first);
+  // The drawing goes before its context.
+  {
+    auto other = TeContext::create(s_kind, 64, 64);
+    ASSERT_TRUE(other);
+    renderIn(**other, scene->node.get());
+    scene.reset();
+  }
+  showNode(new SoSeparator);
+  EXPECT_EQ(TeSeamlessRenderer::liveObjects(), before);
 }
