@@ -29,9 +29,7 @@ double TeSeamlessFan::deviation(const Row& row) const {
   double largest = 0;
   for (int step = m_step / 2; step >= m_finest; step /= 2)
     largest = std::max(largest, partDeviation({0, m_step, m_apex}, step, row));
-  if (m_step > m_finest && m_step > 2)
-    largest = std::max(largest, morphedDeviation(row));
-  return largest;
+  return std::max(largest, morphedDeviation(row));
 }
 
 /// A sample lies at λ·(p, p) + (1 - λ)·apex with λ = (step - v + u) / step and λ·p = u; so over the piece of
@@ -75,33 +73,16 @@ double TeSeamlessFan::partDeviation(const Part& part, int diagonalStep, const Ro
 }
 
 /// The flank at the next higher resolution, its new vertices in the middle of the triangle's legs, and the
-/// diagonal at that resolution or a higher one with its vertices at their own heights.
+/// diagonal at that resolution or a higher one with its vertices at their own heights. Up to a diagonal of
+/// four pieces every sample lies between what the triangle gives and what a fan gives.
 double TeSeamlessFan::morphedDeviation(const Row& row) const {
   const int half = m_step / 2;
   const double before = (m_diagonal[0] + m_apex) / 2;
   const double after = (m_apex + m_diagonal[m_step]) / 2;
-  double largest = middleDeviation(before, after, row);
-  for (int step = half; step >= m_finest; step /= 2) {
+  double largest = 0;
+  for (int step = m_step / 8; step >= m_finest; step /= 2) {
     largest = std::max(largest, partDeviation({0, half, before}, step, row));
     largest = std::max(largest, partDeviation({half, half, after}, step, row));
   }
   return largest;
-}
-
-/// Of the triangle (0, half), (half, half), (half, 2·half).
-double TeSeamlessFan::middleDeviation(double before, double after, const Row& row) const {
-  const int half = m_step / 2;
-  const double middle = m_diagonal[half];
-  const double alongU = (middle - before) / half;
-  const double alongV = (after - middle) / half;
-  if (row.alongU) {
-    const int v = row.across - half;
-    return v < 0 ? 0 : lineDeviation(row, v, half, before + v * alongV, alongU);
-  }
-  const int u = row.across;
-  if (u > half)
-    return 0;
-  Row local = row;
-  local.corner += row.direction * half;
-  return lineDeviation(local, 0, u, before + u * alongU, alongV);
 }

@@ -32,7 +32,6 @@ private:
   };
   double partDeviation(const Part& part, int diagonalStep, const Row& row) const;
   double morphedDeviation(const Row& row) const;
-  double middleDeviation(double before, double after, const Row& row) const;
 
   int m_step = 1;
   int m_finest = 1;

@@ -202,6 +202,30 @@ TEST(TeSeamlessBounds, ErrorsAreReached) {
   });
 }
 
+// A flank that is morphed down beside a diagonal that is not: a surface that no whole details have.
+TEST(TeSeamlessBounds, MorphedFlanksCount) {
+  const TeSeamlessLayout layout = layoutOf(128, 2, 4);
+  const TeSeamlessParts parts(layout);
+  for (const bool mirrored : {false, true}) {
+    TeHeightMap map = TeHeightMap::create(129, 129).value();
+    map.at(64 + (mirrored ? 40 : 24), 64 + (mirrored ? 40 : 24)) = 1000;
+    map.at(64 + (mirrored ? 36 : 12), 64 + (mirrored ? 52 : 28)) = -900;
+    map.at(64 + (mirrored ? 32 : 0), 64 + (mirrored ? 64 : 32)) = -1000; // on the flank
+    const BoundsPtr bounds = boundsOf(layout, map);
+    TeSeamlessPatch patch;
+    patch.detail = {0.001f, 3, 0, 0};
+    const double morphed = deviations(patch, layout, parts, map)[TeNorth];
+    double whole = 0;
+    for (int first = 0; first <= 3; first++)
+      for (int second = 0; second <= 3; second++) {
+        patch.detail = {float(first), float(second), 0, float(second)};
+        whole = std::max(whole, deviations(patch, layout, parts, map)[TeNorth]);
+      }
+    EXPECT_GT(morphed, whole + 200);
+    EXPECT_EQ(sideOf(*bounds, patch, TeNorth).error[0], float(morphed));
+  }
+}
+
 TEST(TeSeamlessBounds, ErrorsFallToNothing) {
   forEachTerrain([&](const TeSeamlessLayout& layout, const TeHeightMap&, const TeSeamlessBounds& bounds,
                      StressField field) {
