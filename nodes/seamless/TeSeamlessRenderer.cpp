@@ -30,7 +30,7 @@ void TeSeamlessRenderer::freeAll() {
   m_objects.removeAll();
   m_programs.clear();
   m_textures.clear();
-  m_vertices = m_indices = m_instances = m_texelSampler = m_colourSampler = 0;
+  m_vertices = m_indices = m_instances = 0;
 }
 
 TeResult<TeSeamlessCounts> TeSeamlessRenderer::draw(const TeSeamlessLists& lists, const TeSeamlessLook& look,
@@ -125,9 +125,8 @@ TeSeamlessVariant TeSeamlessRenderer::variantOf(const TeSeamlessLook& look,
   if (look.technique.heights == TeSeamlessTechnique::Heightmap)
     variant.heights = TeSeamlessVariant::Map;
   if (look.technique.heights == TeSeamlessTechnique::Clipmaps)
-    variant.heights = frame.heightClipmap->format == TeClipFormat::Short
-                          ? TeSeamlessVariant::ClipInteger
-                          : TeSeamlessVariant::ClipReal;
+    variant.heights = frame.heightClipmap->format == TeClipFormat::Short ? TeSeamlessVariant::ClipInteger
+                                                                         : TeSeamlessVariant::ClipReal;
   constexpr TeSeamlessVariant::Colours colours[] = {TeSeamlessVariant::Plain, TeSeamlessVariant::Texture,
                                                     TeSeamlessVariant::Detailmaps, TeSeamlessVariant::Slope};
   variant.colours = colours[look.technique.colours];
@@ -144,7 +143,7 @@ TeResult<TeSeamlessRenderer::Setup> TeSeamlessRenderer::setUp(const TeSeamlessGl
   if (!captures)
     state.describe(variant);
   variant.capturesVertices = captures;
-  if (TeStatus status = bindTextures(look, frame); !status)
+  if (TeStatus status = m_textures.bind(look, frame); !status)
     return status.error();
   const TeResult<const TeSeamlessProgram*> program = m_programs.get(variant);
   if (!program)
@@ -154,52 +153,6 @@ TeResult<TeSeamlessRenderer::Setup> TeSeamlessRenderer::setUp(const TeSeamlessGl
   uniforms.setFrame(frame, m_layout);
   uniforms.setLook(look, m_textures.slopeUnit());
   return Setup{*program, state.material()};
-}
-
-TeStatus TeSeamlessRenderer::bindTextures(const TeSeamlessLook& look, const TeSeamlessFrame& frame) {
-  m_gl.bindSampler(TeSeamlessShader::kHeightsUnit, 0);
-  if (look.technique.heights == TeSeamlessTechnique::Heightmap) {
-    const TeResult<GLuint> heights = m_textures.heights(look.heights);
-    if (!heights)
-      return heights.error();
-    m_gl.bindTexture(GL_TEXTURE_2D, *heights);
-  } else if (look.technique.heights == TeSeamlessTechnique::Clipmaps) {
-    m_gl.bindTexture(GL_TEXTURE_2D_ARRAY, frame.heightClipmap->texture);
-    m_gl.bindSampler(TeSeamlessShader::kHeightsUnit, m_texelSampler);
-  }
-  const TeStatus status = bindColours(look, frame);
-  m_gl.activeTexture(GL_TEXTURE0);
-  return status;
-}
-
-TeStatus TeSeamlessRenderer::bindColours(const TeSeamlessLook& look, const TeSeamlessFrame& frame) {
-  const auto bind = [&](int unit, TeSeamlessTextures::Use use,
-                        const std::shared_ptr<const TePicture>& picture) -> TeStatus {
-    m_gl.activeTexture(GLenum(GL_TEXTURE0 + unit));
-    m_gl.bindSampler(GLuint(unit), 0);
-    const TeResult<GLuint> texture = m_textures.picture(use, picture);
-    if (!texture)
-      return texture.error();
-    m_gl.bindTexture(GL_TEXTURE_2D, *texture);
-    return {};
-  };
-  const int unit = TeSeamlessShader::kColoursUnit;
-  if (look.technique.colours == TeSeamlessTechnique::Texture) {
-    if (!frame.colourClipmap)
-      return bind(unit, TeSeamlessTextures::Colours, look.texture);
-    m_gl.activeTexture(GLenum(GL_TEXTURE0 + unit));
-    m_gl.bindTexture(GL_TEXTURE_2D_ARRAY, frame.colourClipmap->texture);
-    m_gl.bindSampler(GLuint(unit), m_colourSampler);
-  }
-  if (look.technique.colours != TeSeamlessTechnique::Detailmaps)
-    return {};
-  for (int i = 0; i < 4; i++) {
-    const auto use = TeSeamlessTextures::Use(TeSeamlessTextures::FirstDetail + i);
-    if (TeStatus status = bind(TeSeamlessShader::kFirstDetailUnit + i, use, look.details[std::size_t(i)]);
-        !status)
-      return status;
-  }
-  return bind(unit, TeSeamlessTextures::Colours, look.mask);
 }
 
 void TeSeamlessRenderer::makeObjects() {
@@ -217,16 +170,6 @@ void TeSeamlessRenderer::makeObjects() {
   m_vertices = make(vertices.data(), vertices.size() * sizeof(TePartVertex));
   m_indices = make(indices.data(), indices.size() * sizeof(std::uint16_t));
   m_instances = m_objects.addBuffer();
-  const auto sampler = [&](GLint filter) {
-    const GLuint name = m_objects.addSampler();
-    m_gl.samplerParameteri(name, GL_TEXTURE_MIN_FILTER, filter);
-    m_gl.samplerParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
-    m_gl.samplerParameteri(name, GL_TEXTURE_WRAP_S, GL_REPEAT);
-    m_gl.samplerParameteri(name, GL_TEXTURE_WRAP_T, GL_REPEAT);
-    return name;
-  };
-  m_texelSampler = sampler(GL_NEAREST);
-  m_colourSampler = sampler(GL_LINEAR);
 }
 
 TeSeamlessCounts TeSeamlessRenderer::drawLists(const TeSeamlessLists& lists, const TeSeamlessLook& look,

@@ -64,8 +64,6 @@ private:
   TeStatus check(const TeSeamlessLook& look, const TeSeamlessFrame& frame) const;
   TeResult<Setup> setUp(const TeSeamlessGlState& state, const TeSeamlessLook& look,
                         const TeSeamlessFrame& frame, bool captures);
-  TeStatus bindTextures(const TeSeamlessLook& look, const TeSeamlessFrame& frame);
-  TeStatus bindColours(const TeSeamlessLook& look, const TeSeamlessFrame& frame);
   TeSeamlessVariant variantOf(const TeSeamlessLook& look, const TeSeamlessFrame& frame) const;
   void makeObjects();
   TeSeamlessCounts drawLists(const TeSeamlessLists& lists, const TeSeamlessLook& look, const Setup& setup);
@@ -85,7 +83,5 @@ private:
   GLuint m_vertices = 0;
   GLuint m_indices = 0;
   GLuint m_instances = 0;
-  GLuint m_texelSampler = 0;  ///< for clipmaps of heights
-  GLuint m_colourSampler = 0; ///< for those of colours
   std::int64_t m_staticBytes = 0;
 };

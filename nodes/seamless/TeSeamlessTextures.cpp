@@ -1,5 +1,7 @@
 #include "nodes/seamless/TeSeamlessTextures.h"
 
+#include "nodes/seamless/TeSeamlessShader.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -155,8 +157,73 @@ TeResult<GLuint> TeSeamlessTextures::picture(Use use, const std::shared_ptr<cons
   return texture;
 }
 
+TeStatus TeSeamlessTextures::bind(const TeSeamlessLook& look, const TeSeamlessFrame& frame) {
+  makeSamplers();
+  m_gl.activeTexture(GL_TEXTURE0);
+  m_gl.bindSampler(TeSeamlessShader::kHeightsUnit, 0);
+  if (look.technique.heights == TeSeamlessTechnique::Heightmap) {
+    const TeResult<GLuint> heights = this->heights(look.heights);
+    if (!heights)
+      return heights.error();
+    m_gl.bindTexture(GL_TEXTURE_2D, *heights);
+  } else if (look.technique.heights == TeSeamlessTechnique::Clipmaps) {
+    m_gl.bindTexture(GL_TEXTURE_2D_ARRAY, frame.heightClipmap->texture);
+    m_gl.bindSampler(TeSeamlessShader::kHeightsUnit, m_texelSampler);
+  }
+  const TeStatus status = bindColours(look, frame);
+  m_gl.activeTexture(GL_TEXTURE0);
+  return status;
+}
+
+TeStatus TeSeamlessTextures::bindColours(const TeSeamlessLook& look, const TeSeamlessFrame& frame) {
+  const int unit = TeSeamlessShader::kColoursUnit;
+  if (look.technique.colours == TeSeamlessTechnique::Texture) {
+    if (!frame.colourClipmap)
+      return bindPicture(unit, Colours, look.texture);
+    m_gl.activeTexture(GLenum(GL_TEXTURE0 + unit));
+    m_gl.bindTexture(GL_TEXTURE_2D_ARRAY, frame.colourClipmap->texture);
+    m_gl.bindSampler(GLuint(unit), m_colourSampler);
+  }
+  if (look.technique.colours != TeSeamlessTechnique::Detailmaps)
+    return {};
+  for (int i = 0; i < 4; i++) {
+    const auto use = Use(FirstDetail + i);
+    if (TeStatus status =
+            bindPicture(TeSeamlessShader::kFirstDetailUnit + i, use, look.details[std::size_t(i)]);
+        !status)
+      return status;
+  }
+  return bindPicture(unit, Colours, look.mask);
+}
+
+TeStatus TeSeamlessTextures::bindPicture(int unit, Use use, const std::shared_ptr<const TePicture>& picture) {
+  m_gl.activeTexture(GLenum(GL_TEXTURE0 + unit));
+  m_gl.bindSampler(GLuint(unit), 0);
+  const TeResult<GLuint> texture = this->picture(use, picture);
+  if (!texture)
+    return texture.error();
+  m_gl.bindTexture(GL_TEXTURE_2D, *texture);
+  return {};
+}
+
+void TeSeamlessTextures::makeSamplers() {
+  if (m_texelSampler)
+    return;
+  const auto sampler = [&](GLint filter) {
+    const GLuint name = m_objects.addSampler();
+    m_gl.samplerParameteri(name, GL_TEXTURE_MIN_FILTER, filter);
+    m_gl.samplerParameteri(name, GL_TEXTURE_MAG_FILTER, filter);
+    m_gl.samplerParameteri(name, GL_TEXTURE_WRAP_S, GL_REPEAT);
+    m_gl.samplerParameteri(name, GL_TEXTURE_WRAP_T, GL_REPEAT);
+    return name;
+  };
+  m_texelSampler = sampler(GL_NEAREST);
+  m_colourSampler = sampler(GL_LINEAR);
+}
+
 void TeSeamlessTextures::clear() {
   m_heightSource = nullptr;
   m_heights = 0;
   m_pictures = {};
+  m_texelSampler = m_colourSampler = 0;
 }

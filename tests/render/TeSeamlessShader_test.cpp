@@ -1,6 +1,7 @@
 #include "nodes/seamless/TeSeamlessShader.h"
 
 #include "render/SeamlessRenderTest.h"
+#include "render/seamlessPyramid.h"
 
 #include <Inventor/nodes/SoClipPlane.h>
 #include <Inventor/nodes/SoEnvironment.h>
@@ -136,4 +137,38 @@ TEST_F(TeSeamlessShaderTest, BacksAreLitOnlyWhereTheSceneIsTwoSided) {
   expectAsCoin("two-sided", {over.get(), hints.get()});
   hints->shapeType = SoShapeHints::SOLID;
   expectAsCoin("culled", {over.get(), hints.get()});
+}
+
+// Grey by a smooth function, so that a texel in a wrong place or of a wrong level shows; around the middle of
+// a small clipmap it is as fine as the screen, elsewhere coarser.
+TEST_F(TeSeamlessShaderTest, AColourClipmapLiesSampleOnSample) {
+  TeHeightMap grey = std::move(*TeHeightMap::create(129, 129));
+  for (int y = 0; y <= 128; y++)
+    for (int x = 0; x <= 128; x++)
+      grey.at(x, y) = std::round(float(128 + 60 * std::sin(x * 0.11) + 60 * std::cos(y * 0.07)));
+  const auto model = unlit();
+  const TeNodePtr<SoMaterial> white(new SoMaterial);
+  white->diffuseColor.setValue(1, 1, 1);
+  for (const int clipSize : {129, 33}) {
+    SeamlessPyramid pyramid(grey, clipSize, TeClipFormat::Colour);
+    pyramid.update(context().id(), {48, 80});
+    SeamlessScene scene(seamlessLayout(64, 4, 3), 1); // of another resolution
+    scene.look.technique.colours = TeSeamlessTechnique::Texture;
+    scene.colourClipmap = &pyramid.clipmap;
+    const TePicture shown = showFromAbove(scene, {model.get(), white.get()});
+    EXPECT_EQ(scene.error, "");
+    int fine = 0;
+    for (int y = 1; y < 240; y++)
+      for (int x = 1; x < 240; x++) {
+        const double column = (x + 0.5) / 240 * 128, row = (y + 0.5) / 240 * 128;
+        const double expected = 128 + 60 * std::sin(column * 0.11) + 60 * std::cos(row * 0.07);
+        const double difference = std::abs(shown.pixel(x, y)[1] - expected);
+        fine += difference <= 2;
+        // Between samples 4 apart a straight line is off by 4² / 8 · 60 · (0.11² + 0.07²) = 2.
+        ASSERT_LE(difference, clipSize == 129 ? 2 : 4) << clipSize << ": " << x << " " << y;
+      }
+    EXPECT_GT(fine, 239 * 239 / 4);
+    ASSERT_TRUE(context().makeCurrent());
+    pyramid.free();
+  }
 }

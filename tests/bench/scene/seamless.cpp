@@ -142,6 +142,34 @@ private:
   GLsizei m_count = 0;
 };
 
+/// A clipmap that holds the one level that is needed, whole.
+class WholeClipmap {
+public:
+  WholeClipmap() {
+    const auto texImage3D = reinterpret_cast<PFNGLTEXIMAGE3DPROC>(benchContext->procAddress("glTexImage3D"));
+    m_gl.load(benchContext->id());
+    m_gl.genTextures(1, &clipmap.texture);
+    m_gl.bindTexture(GL_TEXTURE_2D_ARRAY, clipmap.texture);
+    m_gl.pixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    texImage3D(GL_TEXTURE_2D_ARRAY, 0, GL_R32F, kResolution + 1, kResolution + 1, 1, 0, GL_RED, GL_FLOAT,
+               hills()->data());
+    m_gl.pixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    m_gl.bindTexture(GL_TEXTURE_2D_ARRAY, 0);
+    clipmap.format = TeClipFormat::Float;
+    clipmap.clipSize = kResolution + 1;
+    clipmap.resolutionLog = clipmap.residency.base = 10;
+    clipmap.residency.windows = {{0, 0, kResolution + 1}};
+  }
+  ~WholeClipmap() { m_gl.deleteTextures(1, &clipmap.texture); }
+  WholeClipmap(const WholeClipmap&) = delete;
+  WholeClipmap& operator=(const WholeClipmap&) = delete;
+
+  TeSeamlessClipTexture clipmap;
+
+private:
+  TeSeamlessGl m_gl;
+};
+
 enum Way { Instanced, Classic, Raw };
 
 class Scene {
@@ -234,6 +262,7 @@ private:
     const TeSeamlessFrame frame(
         m_placement, doubles(SoViewingMatrixElement::get(state)) * doubles(SoModelMatrixElement::get(state)),
         doubles(SoProjectionMatrixElement::get(state)));
+    frame.heightClipmap = &m_clipmap.clipmap;
     if (!m_drawing.draw(std::uint32_t(SoGLCacheContextElement::get(state)), m_lists, m_look, frame))
       std::abort();
   }
@@ -248,12 +277,13 @@ private:
   TeNodePtr<SoSeparator> m_root;
   std::unique_ptr<TeSceneRenderer> m_renderer;
   RawMesh m_raw;
+  WholeClipmap m_clipmap;
   Way m_way = Instanced;
 };
 
-/// Arguments: wanted triangles; whether lit.
+/// Arguments: wanted triangles; whether lit; TeSeamlessTechnique::Heights.
 void framesAgainstRaw(benchmark::State& state) {
-  Scene scene(state.range(0), TeSeamlessTechnique::Heightmap, state.range(1) != 0);
+  Scene scene(state.range(0), TeSeamlessTechnique::Heights(state.range(2)), state.range(1) != 0);
   Scene::Cost least[3];
   for (const Way way : {Instanced, Classic, Raw})
     scene.frame(way);
@@ -275,7 +305,7 @@ void framesAgainstRaw(benchmark::State& state) {
 }
 
 BENCHMARK(framesAgainstRaw)
-    ->ArgsProduct({{88000, 500000}, {1, 0}})
+    ->ArgsProduct({{88000, 500000}, {1, 0}, {TeSeamlessTechnique::Heightmap, TeSeamlessTechnique::Clipmaps}})
     ->UseManualTime()
     ->Iterations(15)
     ->Unit(benchmark::kMillisecond);
