@@ -272,6 +272,7 @@ const std::map<std::string, std::string> kCoveredElsewhere = {
     {"nodes/context/TeGlTable.h", "tests/render/TeContext_test.cpp"},
     {"nodes/context/modules/TeSoQtApplication.h", "tests/apps/terraneStaticPictures_test.cpp"},
     {"patchdb/TeRayHit.h", "tests/patchdb/TePatchDatabase_test.cpp"},
+    {"patchdb/TeTargetClones.h", "tests/patchdb/TeFourMapBlend_test.cpp"},
 };
 
 /// A header has a test of its own name; or is used by some test; or is an inner part, which nothing outside
