@@ -7,9 +7,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <fstream>
 #include <limits>
 #include <string>
 #include <vector>
@@ -70,6 +73,14 @@ std::int64_t pendingSamples(const TeClipWindows& windows) {
   for (const TeClipUpload& upload : windows.uploads())
     samples += upload.texels.count();
   return samples;
+}
+
+/// Main memory of this process.
+long residentBytes() {
+  long pages = 0;
+  long resident = 0;
+  std::ifstream("/proc/self/statm") >> pages >> resident;
+  return resident * ::sysconf(_SC_PAGESIZE);
 }
 
 /// A walk with steps of all sizes, over the rim too, and a jump now and then.
@@ -235,7 +246,7 @@ TEST(TeClipWindows, AfterAJumpCoarseLevelsComeFirstWithinTheBudget) {
   windows->update({60, 60}, 9, 0);
   EXPECT_EQ(residentLevels(windows->residency()), 4);
   windows->clearUploads();
-  constexpr std::size_t kBudget = 3000; // a window has 8450
+  constexpr std::size_t kBudget = 3000;    // a window has 8450
   windows->update({460, 470}, 9, kBudget); // as if in flight at that speed
   EXPECT_EQ(pendingSamples(*windows), 0);
   int resident = 1;
@@ -390,4 +401,30 @@ TEST(TeClipWindows, SizesThatDoNotWorkAreErrors) {
   EXPECT_EQ(TeClipWindows::wholeLevel(513), 9);
   EXPECT_EQ(TeClipWindows::wholeLevel(512), 8);
   EXPECT_EQ(TeClipWindows::wholeLevel(5), 2);
+}
+
+// The document's pyramid: 16385 × 16385 samples, 682 MB of files (here with holes, which take no room on
+// disk).
+TEST(TeClipWindows, TheMemoryOfALargePyramidIsThatOfTheCacheAndTheWindows) {
+  const TestPyramid folder(0);
+  for (int level = 1; level <= 14; level++) {
+    std::ofstream(folder.file(level)).close();
+    folder.resize(level, TePyramidReader::levelBytes(level, 2));
+  }
+  const long before = residentBytes();
+  const auto tiles = folder.tiles(9);
+  auto made = TeClipWindows::create(tiles, 513);
+  ASSERT_TRUE(made);
+  TeClipWindows& windows = **made;
+  EXPECT_EQ(windows.levels(), 6);
+  for (int step = 0; step <= 64; step++) {
+    windows.update({256.0 * step, 16384 - 240.0 * step}, 14, 0);
+    ASSERT_LE(tiles->bytesHeld(), TePyramidTiles::kDefaultCacheBytes);
+  }
+  const double megabytes = double(residentBytes() - before) / 1e6;
+  std::printf("flown over 16385 samples: %.1f MB of windows, %.1f MB of tiles, %.1f MB more in memory\n",
+              6 * double(windows.imageBytes()) / 1e6, double(tiles->bytesHeld()) / 1e6, megabytes);
+  EXPECT_NEAR(6 * double(windows.imageBytes()), 3.2e6, 0.1e6);
+  EXPECT_LT(megabytes, 40);
+  EXPECT_EQ(residentLevels(windows.residency()), 6);
 }
