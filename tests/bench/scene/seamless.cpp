@@ -259,7 +259,7 @@ private:
       return;
     }
     m_look.technique.instanced = m_way == Instanced;
-    const TeSeamlessFrame frame(
+    TeSeamlessFrame frame(
         m_placement, doubles(SoViewingMatrixElement::get(state)) * doubles(SoModelMatrixElement::get(state)),
         doubles(SoProjectionMatrixElement::get(state)));
     frame.heightClipmap = &m_clipmap.clipmap;
