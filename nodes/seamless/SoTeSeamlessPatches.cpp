@@ -75,6 +75,8 @@ SoTeSeamlessPatches::SoTeSeamlessPatches() {
   SO_NODE_ADD_FIELD(lodCamera, (nullptr));
   SO_NODE_ADD_FIELD(center, (0, 0, 0));
   SO_NODE_ADD_FIELD(origin, (0, 0, 0));
+  m_redraw.setFunction([](void* node, SoSensor*) { static_cast<SoTeSeamlessPatches*>(node)->touch(); });
+  m_redraw.setData(this);
 }
 
 SoTeSeamlessPatches::~SoTeSeamlessPatches() = default;
@@ -129,9 +131,10 @@ bool SoTeSeamlessPatches::update() {
   m_isCurrent = true;
   const std::string before = std::move(m_error);
   m_error.clear();
+  m_isReported = false;
   if (TeStatus status = build(); !status) {
     m_error = status.error().message;
-    if (m_error != before)
+    if (m_error != before && !m_isReported)
       SoDebugError::postWarning("TeSeamlessPatches", "%s", m_error.c_str());
   }
   return m_error.empty();
@@ -145,7 +148,7 @@ TeStatus SoTeSeamlessPatches::build() {
   }
   if (!m_content)
     return m_content.error();
-  TeSeamlessViewers::Scene scene;
+  TeSeamlessScene scene;
   scene.content = *m_content;
   const SbVec3f& extents = size.getValue();
   const TeResult<TeSeamlessPlacement> placement = m_content->place(
@@ -161,6 +164,13 @@ TeStatus SoTeSeamlessPatches::build() {
   if (!look)
     return look.error();
   scene.look = std::move(*look);
+  if (scene.accuracy.pixelError > 0 && !scene.content.boundsError.empty())
+    return TeError{"pixelError needs the errors of the heights, which terrane-bake measures: " +
+                   scene.content.boundsError};
+  if (coloring.getValue() == TEXTURE && colors.getValue()) {
+    if (TeStatus status = readColours(scene); !status)
+      return status;
+  }
   SoNode* camera = lodCamera.getValue();
   if (camera && !camera->isOfType(SoCamera::getClassTypeId()))
     return TeError{"lodCamera: a " + std::string(camera->getTypeId().getName().getString()) +
@@ -170,7 +180,7 @@ TeStatus SoTeSeamlessPatches::build() {
   return {};
 }
 
-TeResult<TeSeamlessContent> SoTeSeamlessPatches::load() const {
+TeResult<TeSeamlessContent> SoTeSeamlessPatches::load() {
   const TeSeamlessContent::Sizes sizes{resolution.getValue(), minPatchResolution.getValue(),
                                        levels.getValue()};
   switch (heightSource.getValue()) {
@@ -184,9 +194,21 @@ TeResult<TeSeamlessContent> SoTeSeamlessPatches::load() const {
     return TeSeamlessContent::ofFile(teBesideScene(heightFile.getValue().getString(), m_folder),
                                      verticalUnit.getValue().getString(), sizes);
   case CLIPMAPS:
-    break;
+    return TeSeamlessContent::ofClipmap(heights.getValue(), sizes, m_isReported);
   }
   return TeError{"heightSource " + std::to_string(heightSource.getValue()) + " is none of the three"};
+}
+
+TeStatus SoTeSeamlessPatches::readColours(TeSeamlessScene& scene) {
+  SoNode* node = colors.getValue();
+  if (!node->isOfType(SoTeClipmap::getClassTypeId()))
+    return TeError{"colors: a " + std::string(node->getTypeId().getName().getString()) + " is no TeClipmap"};
+  scene.colours = static_cast<SoTeClipmap*>(node);
+  if (scene.colours->kind.getValue() != SoTeClipmap::COLOR)
+    return TeError{"colors: the TeClipmap has heights"};
+  scene.colourTiles = scene.colours->getTiles();
+  m_isReported = !scene.colourTiles;
+  return scene.colourTiles ? TeStatus() : TeStatus(TeError{"colors: " + scene.colours->getError()});
 }
 
 TeResult<TeSeamlessAccuracy> SoTeSeamlessPatches::readAccuracy() const {
@@ -223,6 +245,8 @@ void SoTeSeamlessPatches::GLRender(SoGLRenderAction* action) {
   if (message != m_drawingError && !message.empty())
     SoDebugError::postWarning("TeSeamlessPatches", "%s", message.c_str());
   m_drawingError = message;
+  if (m_viewers.isWaiting())
+    m_redraw.schedule();
 }
 
 void SoTeSeamlessPatches::computeBBox(SoAction*, SbBox3f& box, SbVec3f& center) {
@@ -234,7 +258,7 @@ void SoTeSeamlessPatches::computeBBox(SoAction*, SbBox3f& box, SbVec3f& center) 
 
 void SoTeSeamlessPatches::getPrimitiveCount(SoGetPrimitiveCountAction* action) {
   if (update() && shouldPrimitiveCount(action))
-    action->addNumTriangles(int(m_viewers.selected(action->getState()).triangles));
+    action->addNumTriangles(int(m_viewers.triangles(action)));
 }
 
 void SoTeSeamlessPatches::generatePrimitives(SoAction* action) {
@@ -244,18 +268,17 @@ void SoTeSeamlessPatches::generatePrimitives(SoAction* action) {
   const float side = box.getMax()[0] - box.getMin()[0];
   SoPrimitiveVertex primitive;
   beginShape(action, TRIANGLES);
-  m_viewers.forEachPatch(
-      m_viewers.selected(action->getState()), [&](const TeSeamlessPatch& patch, TeSeamlessSurface& surface) {
-        for (const TeSeamlessSurface::Triangle& triangle : surface.triangles(patch)) {
-          primitive.setNormal(triangle.normal());
-          for (const SbVec3f& corner : triangle.corners) {
-            primitive.setPoint(corner);
-            primitive.setTextureCoords(
-                SbVec4f((corner[0] - box.getMin()[0]) / side, (corner[1] - box.getMin()[1]) / side, 0, 1));
-            shapeVertex(&primitive);
-          }
-        }
-      });
+  m_viewers.forEachPatch(action, nullptr, [&](const TeSeamlessPatch& patch, TeSeamlessSurface& surface) {
+    for (const TeSeamlessSurface::Triangle& triangle : surface.triangles(patch)) {
+      primitive.setNormal(triangle.normal());
+      for (const SbVec3f& corner : triangle.corners) {
+        primitive.setPoint(corner);
+        primitive.setTextureCoords(
+            SbVec4f((corner[0] - box.getMin()[0]) / side, (corner[1] - box.getMin()[1]) / side, 0, 1));
+        shapeVertex(&primitive);
+      }
+    }
+  });
   endShape();
 }
 
@@ -265,8 +288,8 @@ void SoTeSeamlessPatches::rayPick(SoRayPickAction* action) {
   action->setObjectSpace();
   if (!action->intersect(m_viewers.box(), TRUE))
     return;
-  const TeSeamlessSelection along = m_viewers.selected(action->getState(), &action->getLine());
-  m_viewers.forEachPatch(along, [&](const TeSeamlessPatch& patch, TeSeamlessSurface& surface) {
+  const SbLine along = action->getLine();
+  m_viewers.forEachPatch(action, &along, [&](const TeSeamlessPatch& patch, TeSeamlessSurface& surface) {
     if (!action->intersect(surface.box(patch), TRUE))
       return;
     for (const TeSeamlessSurface::Triangle& triangle : surface.triangles(patch))

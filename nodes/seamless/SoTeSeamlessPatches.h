@@ -18,6 +18,7 @@
 #include <Inventor/fields/SoSFVec3f.h>
 #include <Inventor/nodes/SoShape.h>
 #include <Inventor/nodes/SoSubNode.h>
+#include <Inventor/sensors/SoOneShotSensor.h>
 
 #include <memory>
 #include <string>
@@ -149,7 +150,8 @@ private:
   /// Makes everything current that fields decide. False: there is no terrain.
   bool update();
   TeStatus build();
-  TeResult<TeSeamlessContent> load() const;
+  TeResult<TeSeamlessContent> load();
+  TeStatus readColours(TeSeamlessScene& scene);
   TeResult<TeSeamlessAccuracy> readAccuracy() const;
   bool decidesHeights(const SoField* field) const;
   void pickTriangle(SoRayPickAction* action, const TeSeamlessPatch& patch,
@@ -159,7 +161,9 @@ private:
   TeSeamlessViewers m_viewers;
   TeSeamlessPictures m_pictures;
   std::shared_ptr<const TeHeightMap> m_given; ///< by setHeights()
+  SoOneShotSensor m_redraw;                   ///< while clipmaps are loaded
   std::string m_error;
+  bool m_isReported = false; ///< by the node that has it
   std::string m_drawingError;
   std::string m_folder; ///< of the file that the node was read from
   bool m_isCurrent = false;

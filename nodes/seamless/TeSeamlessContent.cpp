@@ -2,6 +2,7 @@
 
 #include "generators/base/TeText.h"
 #include "generators/elevation/TeElevationOptions.h"
+#include "nodes/seamless/TeSeamlessBoundsFile.h"
 #include "nodes/seamless/TeSeamlessHeightFile.h"
 
 #include <cmath>
@@ -85,5 +86,39 @@ TeResult<TeSeamlessContent> TeSeamlessContent::ofFile(const std::string& path,
   content->isRaw = file->isRaw && *unit == 0;
   if (file->spacing > 0)
     content->spacing = file->spacing;
+  return content;
+}
+
+TeResult<TeSeamlessContent> TeSeamlessContent::ofClipmap(SoNode* node, const Sizes& sizes, bool& isReported) {
+  isReported = false;
+  if (!node || !node->isOfType(SoTeClipmap::getClassTypeId()))
+    return TeError{"heights: there is no TeClipmap"};
+  TeSeamlessContent content;
+  content.clipmap = static_cast<SoTeClipmap*>(node);
+  if (content.clipmap->kind.getValue() != SoTeClipmap::HEIGHT)
+    return TeError{"heights: the TeClipmap has colours"};
+  const std::shared_ptr<TePyramidTiles> tiles = content.clipmap->getTiles();
+  if (!tiles) {
+    isReported = true;
+    return TeError{"heights: " + content.clipmap->getError()};
+  }
+  Sizes known = sizes;
+  if (known.resolution == 0)
+    known.resolution = 1 << tiles->reader().topLevel();
+  const TeResult<TeSeamlessLayout> layout = makeLayout(known);
+  if (!layout)
+    return layout.error();
+  // The first one tells whether there can be any: the base is read, and memory allocated.
+  if (const auto windows =
+          TeClipWindows::create(tiles, content.clipmap->size.getValue(), layout->resolutionLog());
+      !windows)
+    return TeError{"heights: " + windows.error().message};
+  const std::string file = TeSeamlessBoundsFile::nameFor(content.clipmap->getPath(), *layout);
+  const auto bounds = TeSeamlessBoundsFile::load(*layout, file);
+  if (!bounds)
+    content.boundsError = bounds.error().message;
+  content.terrain =
+      TeSeamlessTerrain::create(*layout, bounds ? *bounds : nullptr, {0, float(kLargestNumber)});
+  content.isRaw = true;
   return content;
 }

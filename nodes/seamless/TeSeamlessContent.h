@@ -1,5 +1,7 @@
 #pragma once
 
+#include "nodes/TeNodePtr.h"
+#include "nodes/clipmap/SoTeClipmap.h"
 #include "nodes/seamless/TeSeamlessTerrain.h"
 
 #include <glm/vec3.hpp>
@@ -10,8 +12,13 @@
 /// Heights in memory for Seamless Patches, and what they say of themselves.
 struct TeSeamlessContent {
   TeSeamlessTerrainPtr terrain;
+  TeNodePtr<SoTeClipmap> clipmap; ///< that the heights come from; null: none
+  /// Why its errors are not known; empty if they are, or there is no clipmap.
+  std::string boundsError;
   bool isRaw = false; ///< heights are 16 bit numbers; else metres
   double spacing = 1; ///< metres between samples, if the user does not say
+
+  bool isFlat() const { return !terrain->map && !clipmap; }
 
   /// How the tree of patches is to be; resolution 0: as many cells as the heights have.
   struct Sizes {
@@ -33,4 +40,7 @@ struct TeSeamlessContent {
   /// Error: likewise, and those of TeSeamlessHeightFile. `verticalUnit` as teVerticalUnit() reads it.
   static TeResult<TeSeamlessContent> ofFile(const std::string& path, const std::string& verticalUnit,
                                             const Sizes& sizes);
+  /// Error: likewise; a node that is no SoTeClipmap of heights, or its error. `isReported`: the node has said
+  /// it.
+  static TeResult<TeSeamlessContent> ofClipmap(SoNode* node, const Sizes& sizes, bool& isReported);
 };

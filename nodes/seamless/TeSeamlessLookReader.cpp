@@ -30,7 +30,8 @@ TeResult<TeSeamlessLook> TeSeamlessLookReader::read(const TeSeamlessTerrain& ter
   TeStatus status;
   switch (m_node.coloring.getValue()) {
   case SoTeSeamlessPatches::TEXTURE:
-    status = readPicture("texture", m_node.texture.getValue(), look.texture);
+    if (!m_node.colors.getValue())
+      status = readPicture("texture", m_node.texture.getValue(), look.texture);
     break;
   case SoTeSeamlessPatches::DETAIL:
     status = readDetails(look);

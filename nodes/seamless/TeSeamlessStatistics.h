@@ -15,11 +15,9 @@ struct TeSeamlessStatistics {
   double selectionSeconds = 0;
   /// Largest deviation of what was drawn from the full resolution, pixels; infinite if it is not known.
   double errorBound = 0;
-  double precision = 0;         ///< factor of the document that would have drawn as finely everywhere
-  double coarsening = 1;        ///< by which the accuracy was lowered for the sake of maxPatches
-  int programs = 0;             ///< shader programs compiled so far, in all contexts
-  std::size_t heightBytes = 0;  ///< main memory: height map or tiles and windows of clipmaps
-  std::size_t boundsBytes = 0;  ///< main memory: static errors and ranges
-  std::size_t bufferBytes = 0;  ///< OpenGL: vertices, indices, instances
-  std::size_t textureBytes = 0; ///< OpenGL: heights and colours
+  double precision = 0;             ///< factor of the document that would have drawn as finely everywhere
+  double coarsening = 1;            ///< by which the accuracy was lowered for the sake of maxPatches
+  int programs = 0;                 ///< shader programs compiled so far in the context
+  std::size_t heightBytes = 0;      ///< main memory: height map, or the viewer's clip windows
+  std::size_t clipTextureBytes = 0; ///< OpenGL: the viewer's clipmaps
 };

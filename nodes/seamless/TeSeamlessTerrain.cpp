@@ -21,6 +21,8 @@ TeResult<TeSeamlessTerrainPtr> TeSeamlessTerrain::create(const TeSeamlessLayout&
 TeSeamlessTerrainPtr TeSeamlessTerrain::create(const TeSeamlessLayout& layout,
                                                std::shared_ptr<const TeSeamlessBounds> bounds,
                                                TeHeightRange range) {
+  if (bounds)
+    range = bounds->range(0, 0, 0);
   std::shared_ptr<TeSeamlessTerrain> terrain(new TeSeamlessTerrain(layout, std::move(bounds)));
   terrain->range = range;
   return terrain;

@@ -21,7 +21,7 @@ struct TeSeamlessTerrain {
   /// Errors of TeSeamlessBounds::create().
   static TeResult<std::shared_ptr<const TeSeamlessTerrain>> create(const TeSeamlessLayout& layout,
                                                                    std::shared_ptr<const TeHeightMap> map);
-  /// Of clipmaps: `bounds` may be null, all heights lie in `range`.
+  /// Of clipmaps: `bounds` may be null; then all heights lie in `range`.
   static std::shared_ptr<const TeSeamlessTerrain>
   create(const TeSeamlessLayout& layout, std::shared_ptr<const TeSeamlessBounds> bounds, TeHeightRange range);
 

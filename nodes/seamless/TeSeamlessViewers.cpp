@@ -1,14 +1,18 @@
 #include "nodes/seamless/TeSeamlessViewers.h"
 
+#include "generators/base/TeHash.h"
 #include "nodes/lod/TeCameraView.h"
+#include "nodes/seamless/TeSeamlessRenderer.h"
 
 #include <Inventor/SbLine.h>
+#include <Inventor/SoPath.h>
 #include <Inventor/actions/SoGLRenderAction.h>
 #include <Inventor/elements/SoComplexityElement.h>
 #include <Inventor/elements/SoGLCacheContextElement.h>
 #include <Inventor/elements/SoModelMatrixElement.h>
 #include <Inventor/elements/SoProjectionMatrixElement.h>
 #include <Inventor/elements/SoViewingMatrixElement.h>
+#include <Inventor/misc/SoContextHandler.h>
 #include <Inventor/misc/SoState.h>
 
 #include <glm/geometric.hpp>
@@ -47,22 +51,89 @@ void seeOnly(const SbLine& line, double size, TeLodView& view) {
     view.planes[std::size_t(view.planeCount++)] = glm::dvec4(normal, margin - glm::dot(normal, from));
 }
 
+/// The place in the scene that an action has come to. Coin means any path to be looked at as a full one,
+/// which the sanitizer does not know.
+__attribute__((no_sanitize("vptr"))) std::uint64_t placeOf(SoAction* action) {
+  const auto* path = static_cast<const SoFullPath*>(action->getCurPath());
+  std::uint64_t hash = 0;
+  for (int i = 0; path && i < path->getLength(); i++) {
+    const std::int32_t index = path->getIndex(i);
+    hash = teHashBytes(&index, sizeof index, hash);
+  }
+  return hash;
+}
+
 } // namespace
 
-void TeSeamlessViewers::setScene(Scene scene) {
-  if (scene.content.terrain != m_scene.content.terrain) {
-    m_choices.clear();
+TeSeamlessViewers::TeSeamlessViewers() {
+  SoContextHandler::addContextDestructionCallback(&TeSeamlessViewers::onContextDestroyed, this);
+}
+
+TeSeamlessViewers::~TeSeamlessViewers() {
+  SoContextHandler::removeContextDestructionCallback(&TeSeamlessViewers::onContextDestroyed, this);
+  releaseAll();
+}
+
+void TeSeamlessViewers::onContextDestroyed(std::uint32_t context, void* viewers) {
+  auto& all = static_cast<TeSeamlessViewers*>(viewers)->m_viewers;
+  for (auto viewer = all.begin(); viewer != all.end();) {
+    const bool isThere = viewer->first.first == context;
+    if (isThere)
+      viewer->second.release(true);
+    viewer = isThere ? all.erase(viewer) : std::next(viewer);
+  }
+}
+
+void TeSeamlessViewers::releaseAll() {
+  for (auto& [key, viewer] : m_viewers)
+    viewer.release(false);
+  m_viewers.clear();
+  m_unseen = {};
+}
+
+void TeSeamlessViewers::setScene(TeSeamlessScene scene) {
+  if (scene.content.terrain != m_scene.content.terrain || scene.colours.get() != m_scene.colours.get() ||
+      scene.colourTiles != m_scene.colourTiles)
+    releaseAll();
+  if (scene.content.terrain != m_scene.content.terrain)
     m_drawing =
         std::make_unique<TeSeamlessDrawing>(scene.content.terrain->layout, scene.content.terrain->parts);
-  }
   m_scene = std::move(scene);
 }
 
 void TeSeamlessViewers::clear() {
-  m_choices.clear();
+  releaseAll();
   m_drawing.reset();
   m_scene = {};
   m_statistics = {};
+  m_isWaiting = false;
+}
+
+TeSeamlessViewer& TeSeamlessViewers::viewer(const Key& key) {
+  if (m_viewers.size() >= kMostViewers && m_viewers.count(key) == 0) {
+    const auto oldest =
+        std::min_element(m_viewers.begin(), m_viewers.end(),
+                         [](const auto& a, const auto& b) { return a.second.lastUse < b.second.lastUse; });
+    oldest->second.release(false);
+    m_viewers.erase(oldest);
+  }
+  TeSeamlessViewer& viewer = m_viewers[key];
+  viewer.lastUse = ++m_uses;
+  return viewer;
+}
+
+TeSeamlessViewer* TeSeamlessViewers::lastViewer(SoAction* action) {
+  const std::uint64_t place = placeOf(action);
+  TeSeamlessViewer* last = nullptr;
+  bool lastIsThere = false;
+  for (auto& [key, viewer] : m_viewers) {
+    const bool isThere = key.second == place;
+    if (!last || std::pair(isThere, viewer.lastUse) > std::pair(lastIsThere, last->lastUse)) {
+      last = &viewer;
+      lastIsThere = isThere;
+    }
+  }
+  return last;
 }
 
 SbBox3f TeSeamlessViewers::box() const {
@@ -101,57 +172,100 @@ TeStatus TeSeamlessViewers::draw(SoGLRenderAction* action) {
   SoState* state = action->getState();
   const std::optional<TeLodView> seen = view(state);
   m_statistics = {};
+  m_isWaiting = false;
   if (!seen)
     return {};
   const std::uint32_t context = std::uint32_t(SoGLCacheContextElement::get(state));
-  TeSeamlessChoice& choice = m_choices[context];
-  m_lastContext = context;
-  const bool isNew =
-      choice.update(m_scene.content.terrain, *seen, m_scene.placement, accuracy(state), nullptr);
+  TeSeamlessViewer& viewer = this->viewer({context, placeOf(action)});
+  const std::int64_t uploaded = viewer.bytesUploaded();
+  const std::uint64_t selections = viewer.choice.selections();
+  if (TeStatus status = viewer.follow(m_scene, context, seen->eye, true); !status)
+    return status;
+  if (TeStatus status = viewer.upload(); !status)
+    return status;
+  viewer.choice.update(m_scene.content.terrain, *seen, m_scene.placement, accuracy(state),
+                       viewer.residency());
   const glm::dmat4 fromModel =
       toGlm(SoViewingMatrixElement::get(state)) * toGlm(SoModelMatrixElement::get(state));
-  const TeSeamlessFrame frame(m_scene.placement, fromModel, toGlm(SoProjectionMatrixElement::get(state)));
-  const TeResult<TeSeamlessCounts> drawn = m_drawing->draw(context, choice.lists(), m_scene.look, frame);
+  TeSeamlessFrame frame(m_scene.placement, fromModel, toGlm(SoProjectionMatrixElement::get(state)));
+  frame.heightClipmap = viewer.heights ? &viewer.heights->texture() : nullptr;
+  frame.colourClipmap = viewer.colours ? &viewer.colours->texture() : nullptr;
+  TeResult<TeSeamlessCounts> drawn = m_drawing->draw(context, viewer.choice.lists(), m_scene.look, frame);
   if (!drawn)
     return drawn.error();
-  count(choice, isNew, *drawn);
+  drawn->bytesUploaded += viewer.bytesUploaded() - uploaded;
+  count(viewer, *drawn);
+  if (viewer.choice.selections() == selections)
+    m_statistics.selectionSeconds = 0;
+  m_statistics.programs = m_drawing->renderer(context)->programsCompiled();
+  m_isWaiting = !viewer.isSettled();
   return {};
 }
 
-void TeSeamlessViewers::count(const TeSeamlessChoice& choice, bool isNew, const TeSeamlessCounts& drawn) {
-  const TeSeamlessSelection& selection = choice.selection();
+void TeSeamlessViewers::count(const TeSeamlessViewer& viewer, const TeSeamlessCounts& drawn) {
+  const TeSeamlessSelection& selection = viewer.choice.selection();
+  const TeSeamlessTerrain& terrain = *m_scene.content.terrain;
   m_statistics.faces = drawn.triangles;
   m_statistics.drawCalls = drawn.drawCalls;
   m_statistics.traversed = selection.traversed;
   m_statistics.culled = selection.culled;
   m_statistics.rendered = std::int64_t(selection.patches.size());
   m_statistics.bytesUploaded = drawn.bytesUploaded;
-  m_statistics.selectionSeconds = isNew ? choice.seconds() : 0;
-  m_statistics.errorBound = selection.errorBound;
+  m_statistics.selectionSeconds = viewer.choice.seconds();
+  // Flat ground has no error, whatever it is drawn with.
+  m_statistics.errorBound = m_scene.content.isFlat() ? 0 : selection.errorBound;
   m_statistics.precision = selection.precision;
   m_statistics.coarsening = selection.coarsening;
+  m_statistics.heightBytes = terrain.map ? terrain.map->bytes() : 0;
+  if (viewer.heights) {
+    const TeClipWindows& windows = viewer.heights->windows();
+    m_statistics.heightBytes = windows.imageBytes() * std::size_t(windows.levels());
+    m_statistics.clipTextureBytes = viewer.heights->textureBytes();
+  }
+  if (viewer.colours)
+    m_statistics.clipTextureBytes += viewer.colours->textureBytes();
 }
 
-TeSeamlessSelection TeSeamlessViewers::selected(SoState* state, const SbLine* along) const {
-  TeSeamlessSelection selection;
+TeSeamlessViewer* TeSeamlessViewers::select(SoAction* action, const SbLine* along,
+                                            TeSeamlessSelection& selection) {
+  SoState* state = action->getState();
   const std::optional<TeLodView> seen = view(state);
   if (!seen)
-    return selection;
+    return nullptr;
+  TeSeamlessViewer* viewer = lastViewer(action);
+  if (!viewer) {
+    viewer = &m_unseen;
+    if (!viewer->follow(m_scene, 0, seen->eye, false))
+      return nullptr;
+  }
   const TeSeamlessTerrainPtr& terrain = m_scene.content.terrain;
   const TeSeamlessAccuracy wanted = accuracy(state);
-  const auto last = m_choices.find(m_lastContext);
-  TeLodView held = last == m_choices.end()
-                       ? TeSeamlessChoice().held(terrain, *seen, m_scene.placement, wanted)
-                       : last->second.held(terrain, *seen, m_scene.placement, wanted);
+  TeLodView held = viewer->choice.held(terrain, *seen, m_scene.placement, wanted);
   if (along)
     seeOnly(*along, m_scene.placement.spacing * terrain->layout.resolution(), held);
-  terrain->selector.select(held, m_scene.placement, wanted, nullptr, selection);
-  return selection;
+  terrain->selector.select(held, m_scene.placement, wanted, viewer->residency(), selection);
+  return viewer;
 }
 
-void TeSeamlessViewers::forEachPatch(const TeSeamlessSelection& selection, const PatchVisitor& visit) const {
-  const TeSeamlessMapHeights heights(m_scene.content.terrain->map.get());
-  TeSeamlessSurface surface(*m_scene.content.terrain, m_scene.placement, heights);
+void TeSeamlessViewers::forEachPatch(SoAction* action, const SbLine* along, const PatchVisitor& visit) {
+  TeSeamlessSelection selection;
+  const TeSeamlessViewer* viewer = select(action, along, selection);
+  if (!viewer)
+    return;
+  const TeSeamlessTerrain& terrain = *m_scene.content.terrain;
+  std::unique_ptr<TeSeamlessHeights> heights;
+  if (viewer->heights)
+    heights = std::make_unique<TeSeamlessClipHeights>(viewer->heights->windows(), viewer->heights->format(),
+                                                      terrain.layout.resolutionLog());
+  else
+    heights = std::make_unique<TeSeamlessMapHeights>(terrain.map.get());
+  TeSeamlessSurface surface(terrain, m_scene.placement, *heights);
   for (const TeSeamlessPatch& patch : selection.patches)
     visit(patch, surface);
+}
+
+std::int64_t TeSeamlessViewers::triangles(SoAction* action) {
+  TeSeamlessSelection selection;
+  select(action, nullptr, selection);
+  return selection.triangles;
 }

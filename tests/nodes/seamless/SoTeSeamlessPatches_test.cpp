@@ -4,7 +4,8 @@
 #include "nodes/TeNodePtr.h"
 #include "nodes/TeSceneFile.h"
 #include "nodes/readScene.h"
-#include "nodes/seamless/stressHeights.h"
+#include "nodes/seamless/TeSeamlessBoundsFile.h"
+#include "nodes/seamless/hillsNode.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
 
 #include <Inventor/SoPickedPoint.h>
@@ -116,33 +117,6 @@ int openEdges(const Emitted& mesh) {
   for (const auto& [edge, count] : edges)
     open += count != 2;
   return open;
-}
-
-std::shared_ptr<const TeHeightMap> hills(int resolution) {
-  return std::make_shared<const TeHeightMap>(stressHeights("hills", resolution));
-}
-
-TeNodePtr<SoTeSeamlessPatches> hillsNode(int resolution = 256, float side = 1000) {
-  TeNodePtr<SoTeSeamlessPatches> node(new SoTeSeamlessPatches);
-  node->size.setValue(side, side, 0);
-  node->resolution = 0;
-  node->heightSource = SoTeSeamlessPatches::HEIGHTMAP;
-  auto map = stressHeights("hills", resolution);
-  EXPECT_TRUE(map.scale(0.005f, map.bounds()));
-  node->setHeights(std::make_shared<const TeHeightMap>(std::move(map)));
-  return node;
-}
-
-TeNodePtr<SoSeparator> seenBy(const SbVec3f& position, const SbVec3f& target, SoNode* node) {
-  TeNodePtr<SoSeparator> root(new SoSeparator);
-  auto* camera = new SoPerspectiveCamera;
-  camera->position = position;
-  camera->pointAt(target, SbVec3f(0, 0, 1));
-  camera->nearDistance = 1;
-  camera->farDistance = 5000;
-  root->addChild(camera);
-  root->addChild(node);
-  return root;
 }
 
 std::string written(SoNode* root) {
@@ -438,7 +412,7 @@ TEST(SoTeSeamlessPatches, NotANumberIsOneWarning) {
 }
 
 TEST(SoTeSeamlessPatches, MissingSamplesAreAnError) {
-  TeHeightMap map = stressHeights("hills", 64);
+  TeHeightMap map = hillsMap(64);
   map.at(7, 9) = TeHeightMap::missing();
   TeNodePtr<SoTeSeamlessPatches> node(new SoTeSeamlessPatches);
   node->resolution = 64;
@@ -465,6 +439,61 @@ TEST(SoTeSeamlessPatches, RawNumbersAreScaledByTheSize) {
   EXPECT_LT(pick.getPickedPoint()->getPoint()[2], 1);
 }
 
+// Clipmaps that hold everything give the same heights as a height map; windows that are small cover what
+// they can, without a gap.
+TEST(SoTeSeamlessPatches, ClipmapsEmitTheSameHills) {
+  const HillsPyramid pyramid(512);
+  const auto whole = pyramid.node(513);
+  const auto map = hillsNode(512);
+  map->setHeights(std::make_shared<const TeHeightMap>(hillsMap(512, 100)));
+  map->size.setValue(1000, 1000, 0);
+  EXPECT_EQ(triangles(whole.get()), triangles(map.get()));
+  std::map<std::pair<float, float>, float> heights;
+  for (const auto& t : emitted(map.get()).triangles) {
+    for (const SbVec3f& corner : t)
+      heights[{corner[0], corner[1]}] = corner[2];
+  }
+  const Emitted mesh = emitted(whole.get());
+  EXPECT_GT(mesh.triangles.size(), 1000u);
+  for (const auto& t : mesh.triangles) {
+    for (const SbVec3f& corner : t) {
+      const auto found = heights.find({corner[0], corner[1]});
+      ASSERT_NE(found, heights.end());
+      EXPECT_NEAR(corner[2], found->second / 100, 1e-4f);
+    }
+  }
+  const auto windows = pyramid.node(65);
+  for (const SbVec3f& eye : {SbVec3f(0, 0, 160), SbVec3f(-480, 300, 130), SbVec3f(600, 900, 200)}) {
+    windows->precision = 8;
+    const Emitted limited = emitted(seenBy(eye, SbVec3f(20, 10, 60), windows.get()).get());
+    EXPECT_GT(limited.triangles.size(), 0u);
+  }
+  const Emitted all = emitted(windows.get());
+  EXPECT_NEAR(areaFromAbove(all), 1e6, 1);
+}
+
+TEST(SoTeSeamlessPatches, PixelErrorOfClipmapsNeedsTheirErrors) {
+  const HillsPyramid pyramid(256);
+  const auto node = pyramid.node(129);
+  EXPECT_EQ(node->getError(), "");
+  {
+    const Warnings warnings;
+    node->pixelError = 2;
+    EXPECT_THAT(node->getError(), testing::HasSubstr("terrane-bake"));
+    EXPECT_THAT(node->getError(), testing::HasSubstr("_bounds_16_3.bin"));
+    EXPECT_EQ(triangles(node.get()), 0);
+    EXPECT_EQ(warnings.lines.size(), 1u);
+  }
+  const auto layout = TeSeamlessLayout::create(256, 16, 3);
+  const auto bounds = TeSeamlessBounds::create(*layout, pyramid.map());
+  ASSERT_TRUE(bounds);
+  ASSERT_TRUE(TeSeamlessBoundsFile::save(**bounds, TeSeamlessBoundsFile::nameFor(pyramid.name(), *layout)));
+  node->heights.touch(); // looks again
+  EXPECT_EQ(node->getError(), "");
+  EXPECT_GT(triangles(node.get()), 0);
+  EXPECT_LT(boxOf(node.get()).getMax()[2], 146); // and knows how high the ground is
+}
+
 TEST(SoTeSeamlessPatches, ChangesNotifyAndUseDoesNot) {
   const auto node = hillsNode();
   TeNodePtr<SoSeparator> root(new SoSeparator);
@@ -480,7 +509,7 @@ TEST(SoTeSeamlessPatches, ChangesNotifyAndUseDoesNot) {
   node->precision = 5;
   EXPECT_EQ(changes, 1);
   const int before = triangles(root.get());
-  node->setHeights(hills(128));
+  node->setHeights(std::make_shared<const TeHeightMap>(hillsMap(128)));
   EXPECT_EQ(changes, 2);
   EXPECT_NE(triangles(root.get()), before);
 }
