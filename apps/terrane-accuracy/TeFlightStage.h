@@ -22,7 +22,7 @@ public:
   /// The same, to look at.
   TeResult<TePicture> picture(const TePerspectiveView& view);
 
-  TeContext& context() { return *m_context; }
+  TeContext& context() const { return *m_context; }
 
 private:
   TeFlightStage(std::unique_ptr<TeContext> context, std::unique_ptr<TeSceneRenderer> renderer);

@@ -2,7 +2,6 @@
 
 #include "apps/common/TeExit.h"
 #include "apps/common/TeProgressLine.h"
-#include "apps/terrane-accuracy/TeAccuracyOutput.h"
 #include "apps/terrane-accuracy/TeSeamlessMethod.h"
 #include "generators/base/TeText.h"
 
@@ -12,7 +11,6 @@ namespace {
 
 const std::vector<std::string> kMethods = {"seamless", "seamless-geomorph"};
 const std::vector<double> kDefaultPixels = {0.5, 1, 2, 4, 8, 16, 32};
-constexpr int kDefaultFrames = 72;
 
 bool readLayout(const std::string& text, int& minResolution, int& levels) {
   int used = 0;
@@ -24,21 +22,6 @@ std::string checkLayout(std::string& text) {
   int minResolution = 0, levels = 0;
   return readLayout(text, minResolution, levels) ? std::string()
                                                  : "must be LOWEST/LEVELS, such as 16/3, not '" + text + "'";
-}
-
-TeTable::Cell known(double value, bool is) { return is ? TeTable::Cell(value) : TeTable::Cell(); }
-
-/// All rows of one method and layout as a curve.
-TePlot::Curve curveOf(const TeTable& table, const std::string& method, const std::string& layout,
-                      const std::string& x, const std::string& y) {
-  TePlot::Curve curve{method + " " + layout, {}, {}};
-  for (std::size_t row = 0; row < table.rows(); row++)
-    if (std::get<std::string>(table.cell(row, "method")) == method &&
-        std::get<std::string>(table.cell(row, "layout")) == layout) {
-      curve.x.push_back(table.number(row, x));
-      curve.y.push_back(table.number(row, y));
-    }
-  return curve;
 }
 
 } // namespace
@@ -109,6 +92,67 @@ std::vector<TeDial> TeLodCommand::dials() const {
   return dials;
 }
 
+TeFlyover TeLodCommand::flight(const TeMeasuredTerrain& terrain) const {
+  TeFlyover flight = terrain.flyover();
+  flight.width = m_commandLine.common().width;
+  flight.height = m_commandLine.common().height;
+  return flight;
+}
+
+TeStatus TeLodCommand::measure(const TeMeasuredTerrain& terrain, const std::vector<Candidate>& candidates,
+                               TeFlightStage* stage, TeLodTable& table) const {
+  const TeFlyover flight = this->flight(terrain);
+  const std::vector<TeDial> dials = this->dials();
+  TeProgressLine progress("Measuring", m_commandLine.common().quiet);
+  const double total = double(candidates.size() * dials.size()) * frames();
+  double done = 0;
+  for (const Candidate& candidate : candidates)
+    for (const TeDial& dial : dials) {
+      const TeLodFigures figures = teMeasureLod(*candidate.method, dial, terrain, flight, frames(), m_stride,
+                                                [&](int frame) { progress.update((done + frame) / total); });
+      done += frames();
+      std::optional<TeFrameFigures> drawn;
+      if (stage) {
+        const TeResult<TeFrameFigures> result =
+            teMeasureFrames(*candidate.method, dial, terrain, flight, frames(), m_stride, *stage);
+        if (!result)
+          return result.error();
+        drawn = *result;
+      }
+      table.add(*candidate.method, candidate.layout, dial, frames(), figures, drawn);
+    }
+  return {};
+}
+
+void TeLodCommand::describe(const TeMeasuredTerrain& terrain, const TeFlightStage* stage,
+                            const TeLodTable& table, TeAccuracyOutput& output) const {
+  const TeFlyover flight = this->flight(terrain);
+  auto& json = output.json();
+  json["terrain"] = {{"file", terrain.name},
+                     {"samples", terrain.cells() + 1},
+                     {"spacing_m", terrain.spacing},
+                     {"height_unit_m", terrain.heightScale}};
+  json["flight"] = {{"frames", frames()},
+                    {"degrees_a_frame", flight.anglePerFrame * m_stride},
+                    {"width", flight.width},
+                    {"height", flight.height}};
+  if (stage)
+    json["renderer"] = stage->context().renderer();
+  output.addText(
+      teFormat("%d² samples, %g m apart; %d frames of the flyover, %g degrees each; %d×%d pixels. ",
+               terrain.cells() + 1, terrain.spacing, frames(), flight.anglePerFrame * m_stride, flight.width,
+               flight.height) +
+      (stage ? "Drawn by " + stage->context().renderer() + "." : std::string("Not drawn.")));
+  output.addTable(table.table());
+  output.addPlot(table.plot("Error against triangles", "triangles", "triangles of a frame (mean)"),
+                 "triangles");
+  output.addPlot(
+      table.plot("Error against time of selection", "select_ms", "selection, ms of CPU time (median)"),
+      "selection");
+  if (stage)
+    output.addPlot(table.plot("Error against frame time", "frame_ms", "frame, ms (median)"), "frame");
+}
+
 int TeLodCommand::run() {
   const std::string& application = m_commandLine.application();
   const TeCommonOptions& common = m_commandLine.common();
@@ -121,80 +165,22 @@ int TeLodCommand::run() {
     return teExitWith(TeExitUsage, application, candidates.error().message);
   if (const TeStatus ok = output.prepare(); !ok)
     return teExitWith(TeExitFailure, application, ok.error().message);
-
-  const TeFlyover flight = [&] {
-    TeFlyover flight = terrain->flyover();
-    flight.width = common.width;
-    flight.height = common.height;
-    return flight;
-  }();
-  const int frames = common.frames > 0 ? common.frames : kDefaultFrames;
-  const std::vector<TeDial> dials = this->dials();
-  TeTable table({"method",           "wanted_px", "dial",          "triangles",     "select_ms",
-                 "upload_bytes",     "frame_ms",  "worst_px",      "p999_px",       "rms_px",
-                 "worst_m",          "bound_px",  "uncovered",     "cracks",        "popping_px",
-                 "bytes_per_sample", "layout",    "frames",        "overshoots",    "draw_calls",
-                 "patches",          "visited",   "select_low_ms", "select_high_ms"});
-  {
-    TeProgressLine progress("Measuring", common.quiet);
-    const double total = double(candidates->size() * dials.size()) * frames;
-    double done = 0;
-    for (const Candidate& candidate : *candidates)
-      for (const TeDial& dial : dials) {
-        const TeLodFigures figures =
-            teMeasureLod(*candidate.method, dial, *terrain, flight, frames, m_stride,
-                         [&](int frame) { progress.update((done + frame) / total); });
-        done += frames;
-        table.addRow({candidate.method->name(),
-                      known(dial.pixels, dial.pixels > 0),
-                      figures.dial,
-                      figures.triangles,
-                      figures.selectMs.median,
-                      figures.uploadBytes,
-                      {},
-                      figures.errors.worstPixels(),
-                      figures.errors.p999Pixels(),
-                      figures.errors.rmsPixels(),
-                      figures.errors.worstMetres(),
-                      figures.boundPixels,
-                      figures.errors.uncovered(),
-                      figures.cracks,
-                      figures.errors.popping(),
-                      candidate.method->bytesPerSample(),
-                      candidate.layout,
-                      std::int64_t(frames),
-                      figures.overshoots,
-                      figures.drawCalls,
-                      figures.parts,
-                      figures.visited,
-                      figures.selectMs.low,
-                      figures.selectMs.high});
-      }
+  std::unique_ptr<TeFlightStage> stage;
+  if (!m_noDraw) {
+    TeResult<std::unique_ptr<TeFlightStage>> made =
+        TeFlightStage::create(*teContextKind(common.context), common.width, common.height);
+    if (!made)
+      return teExitWith(TeExitFailure, application, made.error().message);
+    stage = std::move(*made);
   }
 
-  output.json()["terrain"] = {{"file", terrain->name},
-                              {"samples", terrain->cells() + 1},
-                              {"spacing_m", terrain->spacing},
-                              {"height_unit_m", terrain->heightScale}};
-  output.json()["flight"] = {{"frames", frames}, {"degrees_a_frame", flight.anglePerFrame * m_stride}};
-  output.addText(teFormat("%d² samples, %g m apart; %d frames of the flyover, every %d.; %d×%d pixels.",
-                          terrain->cells() + 1, terrain->spacing, frames, m_stride, common.width,
-                          common.height));
-  output.addTable(table);
-  const struct {
-    const char *suffix, *title, *column, *label;
-  } plots[] = {{"triangles", "Error against triangles", "triangles", "triangles in view (mean)"},
-               {"time", "Error against time", "select_ms", "selection, ms of CPU time (median)"}};
-  for (const auto& plot : plots) {
-    TePlot diagram{plot.title, plot.label, "largest true error in view, pixels", true, true, {}};
-    for (const Candidate& candidate : *candidates)
-      diagram.curves.push_back(
-          curveOf(table, candidate.method->name(), candidate.layout, plot.column, "worst_px"));
-    output.addPlot(diagram, plot.suffix);
-  }
+  TeLodTable table;
+  if (const TeStatus ok = measure(*terrain, *candidates, stage.get(), table); !ok)
+    return teExitWith(TeExitFailure, application, ok.error().message);
+  describe(*terrain, stage.get(), table, output);
   if (!common.quiet)
-    std::fputs(table.markdown().c_str(), stdout);
-  if (const TeStatus ok = output.write(table); !ok)
+    std::fputs(table.table().markdown().c_str(), stdout);
+  if (const TeStatus ok = output.write(table.table()); !ok)
     return teExitWith(TeExitFailure, application, ok.error().message);
   return TeExitSuccess;
 }

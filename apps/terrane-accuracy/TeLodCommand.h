@@ -1,8 +1,8 @@
 #pragma once
 
 #include "apps/common/TeCommandLine.h"
-#include "apps/terrane-accuracy/TeLodSweep.h"
-#include "apps/terrane-accuracy/TeTable.h"
+#include "apps/terrane-accuracy/TeAccuracyOutput.h"
+#include "apps/terrane-accuracy/TeLodTable.h"
 #include "apps/terrane-accuracy/TeTerrainChoice.h"
 
 #include <memory>
@@ -19,6 +19,8 @@ public:
   int run();
 
 private:
+  static constexpr int kDefaultFrames = 72;
+
   /// One method with one layout, and how its curve is called.
   struct Candidate {
     std::unique_ptr<TeMeasuredMethod> method;
@@ -26,6 +28,15 @@ private:
   };
   TeResult<std::vector<Candidate>> candidates(const TeMeasuredTerrain& terrain) const;
   std::vector<TeDial> dials() const;
+  TeFlyover flight(const TeMeasuredTerrain& terrain) const;
+  int frames() const {
+    return m_commandLine.common().frames > 0 ? m_commandLine.common().frames : kDefaultFrames;
+  }
+  /// `stage` null: nothing is drawn.
+  TeStatus measure(const TeMeasuredTerrain& terrain, const std::vector<Candidate>& candidates,
+                   TeFlightStage* stage, TeLodTable& table) const;
+  void describe(const TeMeasuredTerrain& terrain, const TeFlightStage* stage, const TeLodTable& table,
+                TeAccuracyOutput& output) const;
 
   TeCommandLine& m_commandLine;
   CLI::App* m_cli;

@@ -1,6 +1,7 @@
 #include "apps/terrane-accuracy/TeLodSweep.h"
 
 #include "apps/terrane-accuracy/TeMeshCheck.h"
+#include "apps/terrane-accuracy/TeRawMesh.h"
 #include "generators/base/TeAllowance.h"
 
 #include <algorithm>
@@ -80,4 +81,37 @@ TeLodFigures teMeasureLod(TeMeasuredMethod& method, const TeDial& dial, const Te
   }
   figures.selectMs = TeSpread::of(std::move(times));
   return figures;
+}
+
+TeResult<TeFrameFigures> teMeasureFrames(TeMeasuredMethod& method, const TeDial& dial,
+                                         const TeMeasuredTerrain& terrain, const TeFlyover& flight,
+                                         int frames, int stride, TeFlightStage& stage) {
+  TeResult<std::unique_ptr<TeRawMesh>> raw = TeRawMesh::create(stage.context());
+  if (!raw)
+    return raw.error();
+  std::vector<double> times, rawTimes;
+  std::vector<TeSeamlessMesh::Triangle> mesh;
+  // Frame -1 is drawn for what happens but once: shaders, heights. Raw, each frame twice, as its data are
+  // new.
+  for (int i = -1; i < frames; i++) {
+    const TePerspectiveView view = flight.view(i * stride);
+    stage.show(method.node(dial));
+    const TeResult<double> ms = stage.draw(view);
+    if (!ms)
+      return ms.error();
+    mesh.clear();
+    method.select(view.lodView(), dial);
+    method.appendMesh(mesh);
+    (*raw)->load(mesh, terrain);
+    stage.show((*raw)->node());
+    const TeResult<double> first = stage.draw(view);
+    const TeResult<double> rawMs = stage.draw(view);
+    if (!first || !rawMs)
+      return first ? rawMs.error() : first.error();
+    if (i < 0)
+      continue;
+    times.push_back(*ms);
+    rawTimes.push_back(*rawMs);
+  }
+  return TeFrameFigures{TeSpread::of(std::move(times)), TeSpread::of(std::move(rawTimes))};
 }

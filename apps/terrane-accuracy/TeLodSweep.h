@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/terrane-accuracy/TeFlightStage.h"
 #include "apps/terrane-accuracy/TeMeasuredErrors.h"
 #include "apps/terrane-accuracy/TeMeasuredMethod.h"
 #include "apps/terrane-accuracy/TeSpread.h"
@@ -19,8 +20,19 @@ struct TeLodFigures {
   TeMeasuredErrors errors;
 };
 
+/// What frames of one method took to draw, by the wall clock.
+struct TeFrameFigures {
+  TeSpread ms;    ///< choosing, sending and drawing
+  TeSpread rawMs; ///< drawing the same triangles by TeRawMesh
+};
+
 /// Flies over a terrain: frames 0, stride, 2·stride …, `frames` of them; jumps are measured from each of them
 /// to the frame after it. `progress` is told how many frames are done.
 TeLodFigures teMeasureLod(TeMeasuredMethod& method, const TeDial& dial, const TeMeasuredTerrain& terrain,
                           const TeFlyover& flight, int frames, int stride,
                           const std::function<void(int)>& progress);
+
+/// Draws the same frames on a stage. Error: one of OpenGL.
+TeResult<TeFrameFigures> teMeasureFrames(TeMeasuredMethod& method, const TeDial& dial,
+                                         const TeMeasuredTerrain& terrain, const TeFlyover& flight,
+                                         int frames, int stride, TeFlightStage& stage);

@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+class SoNode;
+
 /// How accurate a method is to be: a wanted screen error, or the method's own dial.
 struct TeDial {
   double pixels = 0; ///< wanted error; if 0 the dial holds
@@ -39,4 +41,6 @@ public:
   /// What the last select() came to, and the triangles that it draws.
   virtual TeSelected selected() const = 0;
   virtual void appendMesh(std::vector<TeSeamlessMesh::Triangle>& triangles) const = 0;
+  /// Draws the terrain so accurately, choosing for itself by the scene's camera. The same node each time.
+  virtual SoNode* node(const TeDial& dial) = 0;
 };

@@ -1,5 +1,7 @@
 #include "apps/terrane-accuracy/TeSeamlessMethod.h"
 
+#include <cassert>
+
 namespace {
 
 class MapHeights : public TeSeamlessHeights {
@@ -72,4 +74,26 @@ void TeSeamlessMethod::appendMesh(std::vector<TeSeamlessMesh::Triangle>& triangl
   const MapHeights heights(m_terrain.heights);
   for (const TeSeamlessPatch& patch : m_selection.patches)
     TeSeamlessMesh::appendPatch(patch, m_selector.layout(), m_parts, heights, triangles);
+}
+
+SoNode* TeSeamlessMethod::node(const TeDial& dial) {
+  if (!m_node) {
+    m_node = TeNodePtr<SoTeSeamlessPatches>(new SoTeSeamlessPatches);
+    TeHeightMap metres = m_terrain.heights;
+    const TeStatus scaled = metres.scale(float(m_terrain.heightScale), metres.bounds());
+    assert(scaled);
+    const double side = m_terrain.spacing * m_terrain.cells();
+    m_node->size.setValue(float(side), float(side), 1);
+    m_node->center.setValue(0.5 * side, 0.5 * side, 0);
+    m_node->resolution = m_terrain.cells();
+    m_node->minPatchResolution = m_settings.minResolution;
+    m_node->levels = m_settings.levels;
+    m_node->geomorph = m_settings.geomorph;
+    m_node->heightSource = SoTeSeamlessPatches::HEIGHTMAP;
+    m_node->stripColor.setValue(1, 1, 1);
+    m_node->setHeights(std::make_shared<const TeHeightMap>(std::move(metres)));
+  }
+  m_node->pixelError = float(dial.pixels);
+  m_node->precision = dial.pixels > 0 ? 1.0f : float(dial.own);
+  return m_node.get();
 }

@@ -2,6 +2,8 @@
 
 #include "apps/terrane-accuracy/TeMeasuredMethod.h"
 #include "apps/terrane-accuracy/TeMeasuredTerrain.h"
+#include "nodes/TeNodePtr.h"
+#include "nodes/seamless/SoTeSeamlessPatches.h"
 #include "nodes/seamless/TeSeamlessLists.h"
 #include "nodes/seamless/TeSeamlessSelector.h"
 
@@ -23,6 +25,7 @@ public:
   void select(const TeLodView& view, const TeDial& dial) override;
   TeSelected selected() const override;
   void appendMesh(std::vector<TeSeamlessMesh::Triangle>& triangles) const override;
+  SoNode* node(const TeDial& dial) override;
 
   const TeSeamlessSelector& selector() const { return m_selector; }
 
@@ -39,4 +42,5 @@ private:
   TeDial m_dial;
   TeSeamlessSelection m_selection;
   TeSeamlessLists m_lists;
+  TeNodePtr<SoTeSeamlessPatches> m_node; ///< null until it is asked for
 };

@@ -3,6 +3,7 @@
 #include "apps/common/TeAppLog.h"
 #include "apps/common/TeCommandLine.h"
 #include "apps/terrane-accuracy/TeLodCommand.h"
+#include "nodes/TeNodes.h"
 
 extern "C" int teMain(int argc, char** argv) {
   TeCommandLine commandLine("terrane-accuracy", "Measures what accuracy costs in time.");
@@ -11,5 +12,6 @@ extern "C" int teMain(int argc, char** argv) {
   if (const std::optional<int> status = commandLine.parse(argc, argv))
     return *status;
   teStartAppLog(commandLine.application(), commandLine.common().quiet);
+  TeNodes::init();
   return lod.run();
 }

@@ -1,0 +1,26 @@
+#pragma once
+
+#include "apps/terrane-accuracy/TeLodSweep.h"
+#include "apps/terrane-accuracy/TePlot.h"
+#include "apps/terrane-accuracy/TeTable.h"
+
+#include <optional>
+#include <string>
+
+/// What `terrane-accuracy lod` has measured: one row for each method, layout and accuracy. Times are in ms,
+/// columns *_low_ms and *_high_ms their quartiles; frame_ratio is frame_ms / raw_frame_ms (TeRawMesh).
+class TeLodTable {
+public:
+  TeLodTable();
+
+  /// `drawn`: empty if nothing was drawn.
+  void add(const TeMeasuredMethod& method, const std::string& layout, const TeDial& dial, int frames,
+           const TeLodFigures& figures, const std::optional<TeFrameFigures>& drawn);
+
+  const TeTable& table() const { return m_table; }
+  /// True errors over a column of cost, a curve for each method and layout.
+  TePlot plot(const std::string& title, const std::string& column, const std::string& label) const;
+
+private:
+  TeTable m_table;
+};
