@@ -9,10 +9,21 @@
 
 bool TeSeamlessGl::load(std::uint32_t context) {
   const cc_glglue* glue = cc_glglue_instance(int(context));
+  // Libraries give the addresses of functions that a context cannot use.
+  if (!cc_glglue_glversion_matches_at_least(glue, 3, 3, 0)) {
+    TeLog::error("seamless patches are not drawn: OpenGL is older than 3.3");
+    return false;
+  }
+  const bool isComplete = load([&](const char* name) { return cc_glglue_getprocaddress(glue, name); });
+  if (!cc_glglue_glversion_matches_at_least(glue, 4, 2, 0))
+    drawElementsInstancedBaseVertexBaseInstance = nullptr;
+  return isComplete;
+}
+
+bool TeSeamlessGl::load(const std::function<void*(const char*)>& procAddress) {
   const char* missing = nullptr;
   const auto find = [&](const char* name, auto*& function) {
-    function =
-        reinterpret_cast<std::remove_reference_t<decltype(function)>>(cc_glglue_getprocaddress(glue, name));
+    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(procAddress(name));
     return function != nullptr;
   };
   const auto need = [&](const char* name, auto*& function) {
@@ -89,13 +100,8 @@ bool TeSeamlessGl::load(std::uint32_t context) {
   need("glTransformFeedbackVaryings", transformFeedbackVaryings);
   need("glBeginTransformFeedback", beginTransformFeedback);
   need("glEndTransformFeedback", endTransformFeedback);
-  // Not among those that a library gives whatever its context can do.
-  const bool hasVersion = cc_glglue_glversion_matches_at_least(glue, 3, 3, 0);
-  if (cc_glglue_glversion_matches_at_least(glue, 4, 2, 0))
-    find("glDrawElementsInstancedBaseVertexBaseInstance", drawElementsInstancedBaseVertexBaseInstance);
+  find("glDrawElementsInstancedBaseVertexBaseInstance", drawElementsInstancedBaseVertexBaseInstance);
   if (missing)
     TeLog::error(std::string("seamless patches are not drawn: OpenGL lacks ") + missing);
-  else if (!hasVersion)
-    TeLog::error("seamless patches are not drawn: OpenGL is older than 3.3");
-  return !missing && hasVersion;
+  return !missing;
 }

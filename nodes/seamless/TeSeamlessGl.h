@@ -4,6 +4,7 @@
 #include <GL/glext.h>
 
 #include <cstdint>
+#include <functional>
 
 /// The OpenGL functions that Seamless Patches are drawn with, found by the number under which Coin knows the
 /// context: OpenGL 3.3, compatibility profile.
@@ -83,6 +84,8 @@ struct TeSeamlessGl {
   /// OpenGL 4.2; null before.
   PFNGLDRAWELEMENTSINSTANCEDBASEVERTEXBASEINSTANCEPROC drawElementsInstancedBaseVertexBaseInstance = nullptr;
 
-  /// Functions of the current context. False, after a line in TeLog: OpenGL before 3.3, or a core profile.
+  /// Functions of the current context. False, after a line in TeLog: OpenGL before 3.3.
   bool load(std::uint32_t context);
+  /// Those that `procAddress` gives by name. False, after a line in TeLog: one is missing.
+  bool load(const std::function<void*(const char*)>& procAddress);
 };
