@@ -5,8 +5,7 @@ TeSeamlessGlState::TeSeamlessGlState(const TeSeamlessGl& gl)
       m_arrayBuffer(integer(GL_ARRAY_BUFFER_BINDING)), m_activeTexture(integer(GL_ACTIVE_TEXTURE)),
       m_restartsPrimitives(gl.isEnabled(GL_PRIMITIVE_RESTART)) {
   gl.getIntegerv(GL_POLYGON_MODE, m_polygonModes);
-  gl.getVertexAttribfv(TeSeamlessShader::kCornerAttribute, GL_CURRENT_VERTEX_ATTRIB, m_corner);
-  gl.getVertexAttribfv(TeSeamlessShader::kPlaceAttribute, GL_CURRENT_VERTEX_ATTRIB, m_place);
+  gl.getVertexAttribfv(TeSeamlessShader::kInstanceAttribute, GL_CURRENT_VERTEX_ATTRIB, m_instance);
   for (int i = TeSeamlessShader::kUnits - 1; i >= 0; i--) {
     gl.activeTexture(GLenum(GL_TEXTURE0 + i));
     m_units[i] = {integer(GL_TEXTURE_BINDING_2D), integer(GL_TEXTURE_BINDING_2D_ARRAY),
@@ -30,8 +29,7 @@ TeSeamlessGlState::~TeSeamlessGlState() {
     m_gl.bindSampler(GLuint(i), GLuint(m_units[i].sampler));
   }
   m_gl.activeTexture(GLenum(m_activeTexture));
-  m_gl.vertexAttrib4fv(TeSeamlessShader::kCornerAttribute, m_corner);
-  m_gl.vertexAttrib4fv(TeSeamlessShader::kPlaceAttribute, m_place);
+  m_gl.vertexAttrib4fv(TeSeamlessShader::kInstanceAttribute, m_instance);
   m_gl.polygonMode(GL_FRONT, GLenum(m_polygonModes[0]));
   m_gl.polygonMode(GL_BACK, GLenum(m_polygonModes[1]));
   if (m_restartsPrimitives)

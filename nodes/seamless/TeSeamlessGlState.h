@@ -38,8 +38,7 @@ private:
   GLint m_activeTexture;
   GLint m_polygonModes[2] = {};
   GLboolean m_restartsPrimitives;
-  GLfloat m_corner[4] = {}; ///< attributes
-  GLfloat m_place[4] = {};
+  GLfloat m_instance[4] = {}; ///< attribute
   Unit m_units[TeSeamlessShader::kUnits];
   GLuint m_ownVertexArray = 0;
 };

@@ -4,65 +4,119 @@
 
 namespace {
 
-/// Calls give(list, instance) for the eight parts of a patch; lists are tiles by side and index, then strips.
-template <class Give>
-void forEachPart(const TeSeamlessPatch& patch, const TeSeamlessLayout& layout, const Give& give) {
-  const int levels = layout.levels();
-  const int cellsLog = layout.cellsLog(patch.level);
-  TeSeamlessInstance instance;
-  instance.column = patch.x << cellsLog;
-  instance.row = patch.y << cellsLog;
-  instance.cellsLog = std::uint8_t(cellsLog);
-  const auto heightLevel = [&](int index) {
-    return std::uint8_t(layout.resolutionLog() - layout.spacingLog(patch.level, index));
-  };
-  for (int side = 0; side < 4; side++) {
-    const float first = patch.detail[std::size_t(side)];
-    const float second = patch.detail[std::size_t((side + 1) % 4)];
-    const int a = teDetailResolution(first);
-    const int b = teDetailResolution(second);
-    instance.weightFirst = teDetailWeight(first);
-    instance.weightSecond = teDetailWeight(second);
-    instance.heightLevel = heightLevel(a);
-    give(side * levels + a, instance);
-    instance.heightLevel = heightLevel(std::max(a, b));
-    give((4 + side * levels + a) * levels + b, instance);
+/// Calls give(list, instance) for each list that a patch belongs to.
+class ListsOfPatch {
+public:
+  ListsOfPatch(const TeSeamlessLayout& layout, bool whole) : m_layout(layout), m_whole(whole) {}
+
+  std::size_t count() const {
+    const std::size_t levels = std::size_t(m_layout.levels());
+    return m_whole ? levels * levels * levels * levels : 4 * levels * (levels + 1);
   }
-}
+
+  template <class Give> void forEach(const TeSeamlessPatch& patch, const Give& give) const {
+    const int levels = m_layout.levels();
+    TeSeamlessInstance instance;
+    const int cellsLog = m_layout.cellsLog(patch.level);
+    instance.column = patch.x << cellsLog;
+    instance.row = patch.y << cellsLog;
+    std::array<int, 4> indices{};
+    for (std::size_t side = 0; side < 4; side++) {
+      indices[side] = teDetailResolution(patch.detail[side]);
+      instance.weights |= std::uint32_t(teDetailWeight(patch.detail[side])) << (8 * side);
+    }
+    const auto place = [&](int index) {
+      const int heightLevel = m_layout.resolutionLog() - m_layout.spacingLog(patch.level, index);
+      return std::uint32_t(cellsLog | heightLevel << 8);
+    };
+    if (m_whole) {
+      instance.place = place(*std::max_element(indices.begin(), indices.end()));
+      std::size_t list = 0;
+      for (const int index : indices)
+        list = list * std::size_t(levels) + std::size_t(index);
+      give(list, instance);
+      return;
+    }
+    for (int side = 0; side < 4; side++) {
+      const int a = indices[std::size_t(side)], b = indices[std::size_t((side + 1) % 4)];
+      instance.place = place(a);
+      give(std::size_t(side * levels + a), instance);
+      instance.place = place(std::max(a, b));
+      give(std::size_t((4 + side * levels + a) * levels + b), instance);
+    }
+  }
+
+private:
+  const TeSeamlessLayout& m_layout;
+  bool m_whole;
+};
 
 } // namespace
 
 void TeSeamlessLists::build(const TeSeamlessSelection& selection, const TeSeamlessLayout& layout,
                             const TeSeamlessParts& parts) {
-  const int levels = layout.levels();
-  m_counts.assign(std::size_t(4 * levels * (levels + 1)), 0);
+  const ListsOfPatch lists(layout, parts.hasWholePatches());
+  m_counts.assign(lists.count(), 0);
   for (const TeSeamlessPatch& patch : selection.patches)
-    forEachPart(patch, layout, [&](int list, const TeSeamlessInstance&) { m_counts[std::size_t(list)]++; });
+    lists.forEach(patch, [&](std::size_t list, const TeSeamlessInstance&) { m_counts[list]++; });
 
   m_draws.clear();
-  std::int32_t start = 0;
-  const auto addDraw = [&](int list, TeSeamlessDraw draw) {
-    std::int32_t& count = m_counts[std::size_t(list)];
-    draw.firstInstance = start;
-    draw.instanceCount = count;
-    if (count > 0 && draw.part.count > 0)
-      m_draws.push_back(draw);
-    start += count;
-    count = draw.firstInstance; // from here on where the next instance goes
-  };
-  for (int side = 0; side < 4; side++)
-    for (int a = 0; a < levels; a++)
-      addDraw(side * levels + a,
-              {parts.tile(side, a), false, std::uint8_t(side), std::uint8_t(a), std::uint8_t(a), 0, 0});
-  for (int side = 0; side < 4; side++)
-    for (int a = 0; a < levels; a++)
-      for (int b = 0; b < levels; b++)
-        addDraw((4 + side * levels + a) * levels + b,
-                {parts.strip(side, a, b), true, std::uint8_t(side), std::uint8_t(a), std::uint8_t(b), 0, 0});
+  m_next = 0;
+  if (parts.hasWholePatches())
+    addPatchDraws(parts);
+  else
+    addPartDraws(parts);
 
-  m_instances.resize(std::size_t(start));
+  m_instances.resize(std::size_t(m_next));
   for (const TeSeamlessPatch& patch : selection.patches)
-    forEachPart(patch, layout, [&](int list, const TeSeamlessInstance& instance) {
-      m_instances[std::size_t(m_counts[std::size_t(list)]++)] = instance;
+    lists.forEach(patch, [&](std::size_t list, const TeSeamlessInstance& instance) {
+      m_instances[std::size_t(m_counts[list]++)] = instance;
     });
+}
+
+void TeSeamlessLists::addDraw(std::size_t list, TeSeamlessDraw draw) {
+  std::int32_t& count = m_counts[list];
+  draw.firstInstance = m_next;
+  draw.instanceCount = count;
+  if (count > 0 && draw.part.count > 0)
+    m_draws.push_back(draw);
+  m_next += count;
+  count = draw.firstInstance;
+}
+
+void TeSeamlessLists::addPartDraws(const TeSeamlessParts& parts) {
+  const int levels = parts.levels();
+  TeSeamlessDraw draw;
+  for (int side = 0; side < 4; side++) {
+    draw.orientation = std::uint8_t(side);
+    draw.indices = {};
+    draw.kind = TeSeamlessDraw::Tile;
+    for (int a = 0; a < levels; a++) {
+      draw.indices[std::size_t(side)] = std::uint8_t(a);
+      draw.part = parts.tile(side, a);
+      addDraw(std::size_t(side * levels + a), draw);
+    }
+    draw.kind = TeSeamlessDraw::Strip;
+    for (int a = 0; a < levels; a++)
+      for (int b = 0; b < levels; b++) {
+        draw.indices[std::size_t(side)] = std::uint8_t(a);
+        draw.indices[std::size_t((side + 1) % 4)] = std::uint8_t(b);
+        draw.part = parts.strip(side, a, b);
+        addDraw(std::size_t((4 + side * levels + a) * levels + b), draw);
+      }
+  }
+}
+
+void TeSeamlessLists::addPatchDraws(const TeSeamlessParts& parts) {
+  const std::size_t levels = std::size_t(parts.levels());
+  TeSeamlessDraw draw;
+  for (std::size_t list = 0; list < m_counts.size(); list++) {
+    if (m_counts[list] == 0)
+      continue;
+    std::size_t rest = list;
+    for (std::size_t side = 4; side-- > 0; rest /= levels)
+      draw.indices[side] = std::uint8_t(rest % levels);
+    draw.part = parts.patch(draw.indices);
+    addDraw(list, draw);
+  }
 }

@@ -4,16 +4,18 @@
 
 namespace {
 
-/// Heights of the vertices of one part, morphed as the vertex shader does.
-class PartHeights {
+/// Heights of the vertices of a patch, morphed as the vertex shader does.
+class PatchHeights {
 public:
-  PartHeights(const TeSeamlessPatch& patch, const TeSeamlessLayout& layout, const TeSeamlessHeights& heights,
-              float first, float second)
+  PatchHeights(const TeSeamlessPatch& patch, const TeSeamlessLayout& layout, const TeSeamlessHeights& heights)
       : m_layout(layout), m_heights(heights), m_cellsLog(layout.cellsLog(patch.level)),
-        m_column(patch.x << m_cellsLog),
-        m_row(patch.y << m_cellsLog), m_details{first, second, std::max(first, second)} {
-    const int finest = teDetailResolution(std::max(first, second));
-    m_heightLevel = layout.resolutionLog() - layout.spacingLog(patch.level, finest);
+        m_column(patch.x << m_cellsLog), m_row(patch.y << m_cellsLog) {
+    for (std::size_t side = 0; side < 4; side++) {
+      m_details[side] = patch.detail[side];
+      m_details[TePartVertex::kDiagonal + side] = std::max(patch.detail[side], patch.detail[(side + 1) % 4]);
+    }
+    const float finest = *std::max_element(patch.detail.begin(), patch.detail.end());
+    m_heightLevel = layout.resolutionLog() - layout.spacingLog(patch.level, teDetailResolution(finest));
   }
 
   TeSeamlessMesh::Vertex vertex(const TePartVertex& vertex) const {
@@ -46,11 +48,11 @@ private:
   int m_cellsLog;
   std::int32_t m_column;
   std::int32_t m_row;
-  float m_details[3]; ///< by TePartVertex::Chain
+  float m_details[8]; ///< by TePartVertex::chain
   int m_heightLevel = 0;
 };
 
-void appendPart(const TePart& part, bool strip, const TeSeamlessParts& parts, const PartHeights& heights,
+void appendPart(const TePart& part, bool strip, const TeSeamlessParts& parts, const PatchHeights& heights,
                 std::vector<TeSeamlessMesh::Triangle>& triangles) {
   const auto vertex = [&](int index) {
     const std::size_t number = std::size_t(part.firstVertex) + parts.indices()[std::size_t(index)];
@@ -65,13 +67,10 @@ void appendPart(const TePart& part, bool strip, const TeSeamlessParts& parts, co
 void TeSeamlessMesh::appendPatch(const TeSeamlessPatch& patch, const TeSeamlessLayout& layout,
                                  const TeSeamlessParts& parts, const TeSeamlessHeights& heights,
                                  std::vector<Triangle>& triangles) {
+  const PatchHeights patchHeights(patch, layout, heights);
   for (int side = 0; side < 4; side++) {
-    const float first = patch.detail[std::size_t(side)];
-    const float second = patch.detail[std::size_t((side + 1) % 4)];
-    const int a = teDetailResolution(first);
-    appendPart(parts.tile(side, a), false, parts, PartHeights(patch, layout, heights, first, first),
-               triangles);
-    appendPart(parts.strip(side, a, teDetailResolution(second)), true, parts,
-               PartHeights(patch, layout, heights, first, second), triangles);
+    const int a = patch.resolution(side), b = patch.resolution((side + 1) % 4);
+    appendPart(parts.tile(side, a), false, parts, patchHeights, triangles);
+    appendPart(parts.strip(side, a, b), true, parts, patchHeights, triangles);
   }
 }

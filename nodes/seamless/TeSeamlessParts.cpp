@@ -1,6 +1,7 @@
 #include "nodes/seamless/TeSeamlessParts.h"
 
 #include <cassert>
+#include <cstdlib>
 
 namespace {
 
@@ -59,16 +60,17 @@ public:
       start += m_half / finer;
     return start + i;
   }
+  /// give(u, v, whether on the second flank, whether on the diagonal).
   template <class Give> void forEachVertex(const Give& give) const {
     for (int d = 0; d <= m_half; d++)
-      give(d, d, TePartVertex::Diagonal);
+      give(d, d, false, true);
     for (const bool second : {false, true})
       for (int level = 0, step = 1; level < m_levels; level++, step *= 2)
         for (int d = step; d <= m_half; d += step)
           if (second)
-            give(d, d - step, TePartVertex::Second);
+            give(d, d - step, true, false);
           else
-            give(d - step, d, TePartVertex::First);
+            give(d - step, d, false, false);
   }
   /// One half: `flankStep` and the diagonal's step, which is not longer.
   template <class Give>
@@ -98,26 +100,29 @@ private:
 
 } // namespace
 
-TeSeamlessParts::TeSeamlessParts(const TeSeamlessLayout& layout) : m_levels(layout.levels()) {
+TeSeamlessParts::TeSeamlessParts(const TeSeamlessLayout& layout, bool wholePatches)
+    : m_levels(layout.levels()) {
   const int resolution = layout.maxResolution();
   const int half = resolution / 2;
   const TilePattern tile(resolution);
   const StripPattern strip(resolution, m_levels);
 
   /// Quarter turns clockwise bring the north to the east.
-  const auto addVertex = [&](int turns, int u, int v, std::uint16_t chain) {
+  const auto addVertex = [&](int turns, int u, int v, int chain) {
     for (; turns > 0; turns--) {
       const int east = v;
       v = -u;
       u = east;
     }
-    m_vertices.push_back({std::uint16_t(half + u), std::uint16_t(half + v), chain, 0});
+    m_vertices.push_back({std::uint16_t(half + u), std::uint16_t(half + v), std::uint16_t(chain), 0});
   };
   for (int side = 0; side < 4; side++)
-    tile.forEachVertex([&](int u, int v) { addVertex(side, u, v, TePartVertex::First); });
+    tile.forEachVertex([&](int u, int v) { addVertex(side, u, v, side); });
   m_tileVertices = std::int32_t(m_vertices.size()) / 4;
   for (int side = 0; side < 4; side++)
-    strip.forEachVertex([&](int u, int v, std::uint16_t chain) { addVertex(side, u, v, chain); });
+    strip.forEachVertex([&](int u, int v, bool second, bool diagonal) {
+      addVertex(side, u, v, diagonal ? TePartVertex::kDiagonal + side : second ? (side + 1) % 4 : side);
+    });
   m_stripVertices = std::int32_t(m_vertices.size()) / 4 - m_tileVertices;
 
   const auto addTriangle = [&](int a, int b, int c) {
@@ -136,6 +141,64 @@ TeSeamlessParts::TeSeamlessParts(const TeSeamlessLayout& layout) : m_levels(layo
       strip.forEachTriangle(true, second, diagonal, addTriangle);
       m_firstIndex.push_back(std::int32_t(m_indices.size()));
     }
+  if (wholePatches && fitsWholePatches(layout))
+    addWholePatches(resolution);
+}
+
+bool TeSeamlessParts::fitsWholePatches(const TeSeamlessLayout& layout) {
+  const std::int64_t resolution = layout.maxResolution();
+  if ((resolution + 1) * (resolution + 1) > 65536)
+    return false;
+  std::int64_t combinations = 1;
+  for (int side = 0; side < 4; side++)
+    combinations *= layout.levels();
+  std::int64_t triangles = 0; // of all resolutions of a whole patch
+  for (int index = 0; index < layout.levels(); index++)
+    triangles += 2 * std::int64_t(layout.resolutionOf(index)) * layout.resolutionOf(index);
+  const std::int64_t bytes =
+      combinations * triangles / layout.levels() * 3 * std::int64_t(sizeof(std::uint16_t));
+  return bytes <= 8 << 20;
+}
+
+void TeSeamlessParts::addWholePatches(int resolution) {
+  const int half = resolution / 2;
+  m_firstPatchVertex = std::int32_t(m_vertices.size());
+  for (int y = 0; y <= resolution; y++)
+    for (int x = 0; x <= resolution; x++) {
+      const int u = x - half, v = y - half;
+      const bool north = v > std::abs(u), south = -v > std::abs(u), east = u > std::abs(v);
+      int chain = north ? TeNorth : east ? TeEast : south ? TeSouth : TeWest;
+      if (std::abs(u) == std::abs(v))
+        chain = TePartVertex::kDiagonal + (u > 0 ? (v > 0 ? TeNorth : TeEast) : (v > 0 ? TeWest : TeSouth));
+      m_vertices.push_back({std::uint16_t(x), std::uint16_t(y), std::uint16_t(chain), 0});
+    }
+
+  const auto append = [&](const TePart& part) {
+    for (int i = part.firstIndex; i < part.firstIndex + part.count; i++) {
+      const TePartVertex& vertex = m_vertices[std::size_t(part.firstVertex) + m_indices[std::size_t(i)]];
+      m_indices.push_back(std::uint16_t(vertex.y * (resolution + 1) + vertex.x));
+    }
+  };
+  m_firstPatchIndex.push_back(std::int32_t(m_indices.size()));
+  std::array<int, 4> indices{};
+  for (int combination = 0; combination < m_levels * m_levels * m_levels * m_levels; combination++) {
+    for (int side = 3, rest = combination; side >= 0; side--, rest /= m_levels)
+      indices[std::size_t(side)] = rest % m_levels;
+    for (int side = 0; side < 4; side++) {
+      append(tile(side, indices[std::size_t(side)]));
+      append(strip(side, indices[std::size_t(side)], indices[std::size_t((side + 1) % 4)]));
+    }
+    m_firstPatchIndex.push_back(std::int32_t(m_indices.size()));
+  }
+}
+
+TePart TeSeamlessParts::patch(const std::array<std::uint8_t, 4>& indices) const {
+  assert(hasWholePatches());
+  std::size_t combination = 0;
+  for (const std::uint8_t index : indices)
+    combination = combination * std::size_t(m_levels) + index;
+  const std::int32_t first = m_firstPatchIndex[combination];
+  return {m_firstPatchVertex, first, m_firstPatchIndex[combination + 1] - first};
 }
 
 TePart TeSeamlessParts::part(std::int32_t firstVertex, int list) const {

@@ -186,10 +186,8 @@ TeSeamlessCounts TeSeamlessRenderer::drawLists(const TeSeamlessLists& lists, con
     // New storage each frame: the old one may still be read from.
     m_gl.bufferData(GL_ARRAY_BUFFER, GLsizeiptr(bytes), lists.instances().data(), GL_STREAM_DRAW);
     counts.bytesUploaded += std::int64_t(bytes);
-    for (const GLuint attribute : {TeSeamlessShader::kCornerAttribute, TeSeamlessShader::kPlaceAttribute}) {
-      m_gl.enableVertexAttribArray(attribute);
-      m_gl.vertexAttribDivisor(attribute, 1);
-    }
+    m_gl.enableVertexAttribArray(TeSeamlessShader::kInstanceAttribute);
+    m_gl.vertexAttribDivisor(TeSeamlessShader::kInstanceAttribute, 1);
     bindInstances(0);
   }
   for (const TeSeamlessDraw& draw : lists.draws()) {
@@ -207,22 +205,20 @@ TeSeamlessCounts TeSeamlessRenderer::drawLists(const TeSeamlessLists& lists, con
 
 void TeSeamlessRenderer::setDraw(const TeSeamlessDraw& draw, const TeSeamlessLook& look,
                                  const Setup& setup) const {
-  const auto step = [&](int index) { return m_layout.maxResolution() / m_layout.resolutionOf(index); };
-  m_gl.uniform4i(setup.program->chainStep, step(draw.first), step(draw.second),
-                 step(std::max(draw.first, draw.second)), int(draw.second) - int(draw.first));
+  const auto step = [&](int side) {
+    return m_layout.maxResolution() / m_layout.resolutionOf(draw.indices[std::size_t(side)]);
+  };
+  m_gl.uniform4i(setup.program->sideStep, step(TeNorth), step(TeEast), step(TeSouth), step(TeWest));
   glm::vec4 material = setup.material;
   if (look.technique.colours == TeSeamlessTechnique::Color)
-    material *= glm::vec4(draw.strip ? look.stripColour : look.tileColour, 1);
+    material *= glm::vec4(draw.kind == TeSeamlessDraw::Strip ? look.stripColour : look.tileColour, 1);
   m_gl.uniform4fv(setup.program->material, 1, &material[0]);
 }
 
 void TeSeamlessRenderer::bindInstances(std::int32_t first) const {
   const std::size_t start = std::size_t(first) * sizeof(TeSeamlessInstance);
-  m_gl.vertexAttribIPointer(TeSeamlessShader::kCornerAttribute, 2, GL_INT, sizeof(TeSeamlessInstance),
-                            offset(start + offsetof(TeSeamlessInstance, column)));
-  m_gl.vertexAttribIPointer(TeSeamlessShader::kPlaceAttribute, 4, GL_UNSIGNED_BYTE,
-                            sizeof(TeSeamlessInstance),
-                            offset(start + offsetof(TeSeamlessInstance, cellsLog)));
+  m_gl.vertexAttribIPointer(TeSeamlessShader::kInstanceAttribute, 4, GL_INT, sizeof(TeSeamlessInstance),
+                            offset(start));
 }
 
 void TeSeamlessRenderer::drawInstanced(const TeSeamlessDraw& draw) const {
@@ -241,9 +237,8 @@ void TeSeamlessRenderer::drawEach(const TeSeamlessDraw& draw,
                                   const std::vector<TeSeamlessInstance>& instances) const {
   for (std::int32_t i = draw.firstInstance; i < draw.firstInstance + draw.instanceCount; i++) {
     const TeSeamlessInstance& instance = instances[std::size_t(i)];
-    m_gl.vertexAttribI4i(TeSeamlessShader::kCornerAttribute, instance.column, instance.row, 0, 1);
-    m_gl.vertexAttribI4ui(TeSeamlessShader::kPlaceAttribute, instance.cellsLog, instance.heightLevel,
-                          instance.weightFirst, instance.weightSecond);
+    m_gl.vertexAttribI4i(TeSeamlessShader::kInstanceAttribute, instance.column, instance.row,
+                         GLint(instance.place), GLint(instance.weights));
     m_gl.drawElementsBaseVertex(GL_TRIANGLES, draw.part.count, GL_UNSIGNED_SHORT, indexOffset(draw),
                                 draw.part.firstVertex);
   }

@@ -11,14 +11,13 @@
 /// an infinitely distant viewer. Normals come from the height map's texels, or from the neighbours of a
 /// vertex, at the distance of the vertices around it, in the clip window of its level.
 ///
-/// Attributes 6 and 7 alias no fixed-function attribute on any known OpenGL.
+/// Attribute 6 aliases no fixed-function attribute on any known OpenGL.
 class TeSeamlessShader {
 public:
-  static constexpr int kVertexAttribute = 0; ///< TePartVertex: x, y, chain
-  static constexpr int kCornerAttribute = 6; ///< TeSeamlessInstance: column, row
-  static constexpr int kPlaceAttribute = 7;  ///< cellsLog, heightLevel, weightFirst, weightSecond
-  static constexpr int kHeightsUnit = 0;     ///< texture units
-  static constexpr int kColoursUnit = 1;     ///< one texture, the mask, or the colour clipmap
+  static constexpr int kVertexAttribute = 0;   ///< TePartVertex: x, y, chain
+  static constexpr int kInstanceAttribute = 6; ///< TeSeamlessInstance
+  static constexpr int kHeightsUnit = 0;       ///< texture units
+  static constexpr int kColoursUnit = 1;       ///< one texture, the mask, or the colour clipmap
   static constexpr int kFirstDetailUnit = 2;
   static constexpr int kUnits = 6;
 

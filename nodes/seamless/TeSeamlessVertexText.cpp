@@ -4,8 +4,7 @@ namespace {
 
 constexpr const char* kVertexInput = R"(
 layout(location = 0) in uvec3 vertexPlace; // x, y of the part's patch; chain
-layout(location = 6) in ivec2 patchCorner;
-layout(location = 7) in uvec4 patchPlace; // log2 of its cells, level of heights, morph weights
+layout(location = 6) in ivec4 patchInstance; // south-west sample; place and level; weights
 
 uniform ivec2 eyeSample;
 uniform vec2 eyeFraction;
@@ -15,11 +14,16 @@ uniform mat4 clipFromRelative;
 uniform mat3 viewFromRelative;
 uniform mat3 viewFromNormal;
 uniform int patchLog;   // of the highest resolution of a patch
-uniform ivec4 chainStep; // distance of vertices by chain; which detail the diagonal has: -1 first, 1 second
+uniform ivec4 sideStep; // distance of vertices by side
 uniform float terrainFromSample;
 
+// A chain of vertices has that of its side, or on a diagonal the shorter one of two sides.
+int stepOf(int chain) {
+  return chain < 4 ? sideStep[chain] : min(sideStep[chain - 4], sideStep[(chain - 3) & 3]);
+}
+
 ivec2 sampleAt(ivec2 place) {
-  return patchCorner + ivec2((uvec2(place) << patchPlace.x) >> uint(patchLog));
+  return patchInstance.xy + ((place << (patchInstance.z & 255)) >> patchLog);
 }
 )";
 
@@ -57,14 +61,20 @@ float heightAt(ivec2 place) { return texelAt(sampleAt(place) >> clipShift); }
 #endif
 
 #if defined(MORPH) && (defined(HEIGHT_MAP) || defined(HEIGHT_CLIPMAP))
+int sideWeight(int side) { return (patchInstance.w >> (8 * side)) & 255; }
+
 float morphed(float own, ivec2 place, int chain) {
-  uint weight = patchPlace.z;
-  if (chain == 1 || (chain == 2 && chainStep.w > 0))
-    weight = patchPlace.w;
-  else if (chain == 2 && chainStep.w == 0)
-    weight = max(patchPlace.z, patchPlace.w);
-  ivec2 odd = place & chainStep[chain];
-  if (weight == 255u || odd == ivec2(0))
+  int first = chain & 3;
+  int weight = sideWeight(first);
+  if (chain >= 4) {
+    int second = (first + 1) & 3;
+    if (sideStep[first] > sideStep[second])
+      weight = sideWeight(second);
+    else if (sideStep[first] == sideStep[second])
+      weight = max(weight, sideWeight(second));
+  }
+  ivec2 odd = place & stepOf(chain);
+  if (weight == 255 || odd == ivec2(0))
     return own;
   int middle = 1 << (patchLog - 1);
   if ((place.x < middle) != (place.y < middle))
@@ -163,7 +173,7 @@ void main() {
   uvec2 texel = texelFetch(heights, own, 0).rg;
   height = uintBitsToFloat(texel.r);
 #elif defined(HEIGHT_CLIPMAP)
-  clipLayer = clamp(int(patchPlace.y) - clip.y, 0, clip.z);
+  clipLayer = clamp(((patchInstance.z >> 8) & 255) - clip.y, 0, clip.z);
   clipShift = clip.w - clip.y - clipLayer;
   ivec2 texel = own >> clipShift;
   height = texelAt(texel);
@@ -182,7 +192,7 @@ void main() {
 #if defined(HEIGHT_MAP)
   slope = vec2(ivec2(texel.g << 16, texel.g) >> 16) * slopeUnit;
 #elif defined(HEIGHT_CLIPMAP)
-  int distance = max(((chainStep[chain] << patchPlace.x) >> patchLog) >> clipShift, 1);
+  int distance = max(((stepOf(chain) << (patchInstance.z & 255)) >> patchLog) >> clipShift, 1);
   ivec2 low = clipWindows[2 * clipLayer].xy;
   ivec2 high = low + clipWindows[2 * clipLayer + 1].x - 1;
   ivec2 before = max(texel - distance, low);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <set>
 #include <utility>
 
@@ -83,9 +84,52 @@ TEST(TeSeamlessParts, vertexChainsLieWhereTilesMeetStrips) {
   for (int i = strip.firstIndex; i < strip.firstIndex + strip.count; i++) {
     const TePartVertex& vertex =
         all.vertices()[std::size_t(strip.firstVertex) + all.indices()[std::size_t(i)]];
-    if (vertex.chain == TePartVertex::Diagonal)
+    if (vertex.chain == TePartVertex::kDiagonal + TeNorth)
       EXPECT_EQ(vertex.x, vertex.y);
     else
-      EXPECT_EQ(tile.count({vertex.x, vertex.y}), vertex.chain == TePartVertex::First ? 1u : 0u);
+      EXPECT_EQ(tile.count({vertex.x, vertex.y}), vertex.chain == TeNorth ? 1u : 0u);
   }
+}
+
+// Each whole patch has the triangles and chains of its tiles and strips.
+TEST(TeSeamlessParts, wholePatchesAreTheirPartsTogether) {
+  const TeSeamlessLayout layout = TeSeamlessLayout::create(1024, 4, 3).value();
+  const TeSeamlessParts all(layout, true);
+  ASSERT_TRUE(all.hasWholePatches());
+  using Corner = std::array<int, 3>; // x, y, chain
+  const auto trianglesOf = [&](const TePart& part, std::multiset<std::array<Corner, 3>>& triangles) {
+    std::array<Corner, 3> triangle;
+    for (int i = 0; i < part.count; i++) {
+      const TePartVertex& vertex =
+          all.vertices()[std::size_t(part.firstVertex) + all.indices()[std::size_t(part.firstIndex + i)]];
+      // The centre of the patch and its corners belong to several strips, and never move.
+      const bool still = vertex.x % 4 == 0 && vertex.y % 4 == 0;
+      triangle[std::size_t(i % 3)] = {vertex.x, vertex.y, still ? -1 : vertex.chain};
+      if (i % 3 == 2)
+        triangles.insert(triangle);
+    }
+  };
+  for (std::uint8_t n = 0; n < 3; n++)
+    for (std::uint8_t e = 0; e < 3; e++)
+      for (std::uint8_t w = 0; w < 3; w++) {
+        std::multiset<std::array<Corner, 3>> whole, parts;
+        trianglesOf(all.patch({n, e, 1, w}), whole);
+        for (int side = 0; side < 4; side++) {
+          const int indices[] = {n, e, 1, w};
+          trianglesOf(all.tile(side, indices[side]), parts);
+          trianglesOf(all.strip(side, indices[side], indices[(side + 1) % 4]), parts);
+        }
+        EXPECT_EQ(whole, parts);
+      }
+}
+
+TEST(TeSeamlessParts, wholePatchesAreMadeWhereTheyFit) {
+  const auto fits = [](int minResolution, int levels) {
+    return TeSeamlessParts::fitsWholePatches(TeSeamlessLayout::create(4096, minResolution, levels).value());
+  };
+  EXPECT_TRUE(fits(16, 3));
+  EXPECT_TRUE(fits(2, 2));
+  EXPECT_FALSE(fits(64, 3)) << "more vertices than 16 bits number";
+  EXPECT_FALSE(fits(2, 7)) << "too many combinations";
+  EXPECT_FALSE(parts(16, 3).hasWholePatches()) << "only on request";
 }
