@@ -1,20 +1,15 @@
 #include "nodes/seamless/TeSeamlessBoundsFile.h"
 
 #include "generators/base/TeHash.h"
+#include "generators/base/TePartFile.h"
+#include "generators/elevation/TePlainFile.h"
 
 #include <algorithm>
 #include <array>
-#include <cerrno>
 #include <cstdint>
-#include <cstdio>
 #include <cstring>
-#include <filesystem>
-#include <memory>
 #include <new>
-#include <system_error>
 #include <utility>
-
-namespace fs = std::filesystem;
 
 namespace {
 
@@ -25,11 +20,6 @@ constexpr std::array<std::uint32_t, 2> kMagic = {0x42536554, 0x3173646E};
 constexpr std::size_t kWordBytes = 4;
 constexpr std::size_t kHashBytes = 8;
 constexpr std::size_t kPieceBytes = 64 * 1024;
-
-struct CloseFile {
-  void operator()(std::FILE* file) const { std::fclose(file); }
-};
-using FilePtr = std::unique_ptr<std::FILE, CloseFile>;
 
 template <class Number> void putBytes(std::vector<unsigned char>& bytes, Number number) {
   for (std::size_t i = 0; i < sizeof(Number); i++)
@@ -45,7 +35,7 @@ template <class Number> Number numberAt(const unsigned char* bytes) {
 
 class WordWriter {
 public:
-  explicit WordWriter(std::FILE* file) : m_file(file) {}
+  explicit WordWriter(TePartFile& file) : m_file(file) {}
 
   /// What fails is told by finish().
   void write(std::uint32_t word) {
@@ -59,36 +49,37 @@ public:
     std::memcpy(&word, &number, sizeof word);
     write(word);
   }
-  bool finish() {
+  TeStatus finish() {
     flush();
     putBytes(m_piece, m_hash);
     flush();
-    return m_good && std::fflush(m_file) == 0;
+    return m_status ? m_file.finish() : m_status;
   }
 
 private:
   void flush() {
     m_hash = teHashBytes(m_piece.data(), m_piece.size(), m_hash);
-    m_good = m_good && std::fwrite(m_piece.data(), 1, m_piece.size(), m_file) == m_piece.size();
+    if (m_status)
+      m_status = m_file.write(m_piece.data(), m_piece.size());
     m_piece.clear();
   }
 
-  std::FILE* m_file;
+  TePartFile& m_file;
   std::vector<unsigned char> m_piece;
   std::uint64_t m_hash = 0;
-  bool m_good = true;
+  TeStatus m_status;
 };
 
 class WordReader {
 public:
   /// `bytes`: of all words.
-  WordReader(std::FILE* file, std::uintmax_t bytes) : m_file(file), m_left(bytes) {}
+  WordReader(const TePlainFile& file, std::uint64_t bytes) : m_file(file), m_bytes(bytes) {}
 
-  /// What fails is told by finish().
+  /// 0 if it cannot be read, which finish() tells.
   std::uint32_t read() {
-    if (m_good && m_position == m_piece.size())
+    if (m_status && m_position == m_piece.size())
       fill();
-    if (m_position + kWordBytes > m_piece.size())
+    if (!m_status)
       return 0;
     m_position += kWordBytes;
     return numberAt<std::uint32_t>(m_piece.data() + m_position - kWordBytes);
@@ -100,29 +91,31 @@ public:
     return number;
   }
   /// After the last word: whether all of them were read and are those that were written.
-  bool finish() {
+  TeStatus finish(const std::string& name) {
     std::array<unsigned char, kHashBytes> hash{};
-    return m_good && m_left == 0 && m_position == m_piece.size() &&
-           std::fread(hash.data(), 1, hash.size(), m_file) == hash.size() &&
-           numberAt<std::uint64_t>(hash.data()) == m_hash;
+    if (m_status)
+      m_status = m_file.read(m_bytes, hash.data(), hash.size());
+    if (m_status && numberAt<std::uint64_t>(hash.data()) != m_hash)
+      m_status = TeError{name + ": damaged: its checksum is another"};
+    return m_status;
   }
 
 private:
   void fill() {
-    m_piece.resize(std::size_t(std::min<std::uintmax_t>(m_left, kPieceBytes)));
-    m_position = 0;
-    m_left -= m_piece.size();
-    m_good =
-        m_good && !m_piece.empty() && std::fread(m_piece.data(), 1, m_piece.size(), m_file) == m_piece.size();
+    m_piece.resize(std::size_t(std::min<std::uint64_t>(m_bytes - m_offset, kPieceBytes)));
+    m_status = m_file.read(m_offset, m_piece.data(), m_piece.size());
     m_hash = teHashBytes(m_piece.data(), m_piece.size(), m_hash);
+    m_offset += m_piece.size();
+    m_position = 0;
   }
 
-  std::FILE* m_file;
-  std::uintmax_t m_left;
+  const TePlainFile& m_file;
+  std::uint64_t m_bytes;
+  std::uint64_t m_offset = 0; ///< of what follows m_piece
   std::vector<unsigned char> m_piece;
-  std::size_t m_position = 0;
+  std::size_t m_position = 0; ///< in m_piece
   std::uint64_t m_hash = 0;
-  bool m_good = true;
+  TeStatus m_status;
 };
 
 std::array<std::uint32_t, 3> sizesOf(const TeSeamlessLayout& layout) {
@@ -140,33 +133,43 @@ std::size_t errorsOf(const TeSeamlessLayout& layout, int level) {
 }
 
 /// Of all words of a file.
-std::uintmax_t bytesOf(const TeSeamlessLayout& layout) {
-  std::uintmax_t words = kMagic.size() + sizesOf(layout).size() + 2 * patchesOfDeepest(layout);
+std::uint64_t bytesOf(const TeSeamlessLayout& layout) {
+  std::uint64_t words = kMagic.size() + sizesOf(layout).size() + 2 * patchesOfDeepest(layout);
   for (int level = 0; level < layout.depth(); level++)
     words += errorsOf(layout, level);
   return words * kWordBytes;
 }
 
-TeResult<Measured> readMeasured(const TeSeamlessLayout& layout, std::FILE* stream, std::uintmax_t size) {
-  WordReader reader(stream, bytesOf(layout));
+TeStatus checkHeader(const TeSeamlessLayout& layout, const TePlainFile& file, const std::string& name) {
   std::array<std::uint32_t, 2> magic{};
   std::array<std::uint32_t, 3> sizes{};
-  const std::uintmax_t headerBytes = (magic.size() + sizes.size()) * kWordBytes;
-  for (std::uint32_t& word : magic)
-    word = reader.read();
-  if (size < headerBytes || magic != kMagic)
-    return TeError{"no bounds of seamless patches, or of another version"};
-  for (std::uint32_t& word : sizes)
-    word = reader.read();
+  const std::uint64_t headerBytes = (magic.size() + sizes.size()) * kWordBytes;
+  WordReader header(file, headerBytes);
+  if (file.bytes() >= headerBytes) {
+    for (std::uint32_t& word : magic)
+      word = header.read();
+    for (std::uint32_t& word : sizes)
+      word = header.read();
+  }
+  if (magic != kMagic)
+    return TeError{name + ": no bounds of seamless patches, or of another version"};
   if (sizes != sizesOf(layout))
-    return TeError{"measured for resolution " + std::to_string(sizes[0]) + ", minimum patch resolution " +
-                   std::to_string(sizes[1]) + " and " + std::to_string(sizes[2]) +
-                   " levels, or damaged; wanted are " + std::to_string(layout.resolution()) + ", " +
-                   std::to_string(layout.minResolution()) + " and " + std::to_string(layout.levels())};
-  if (const std::uintmax_t wanted = bytesOf(layout) + kHashBytes; size != wanted)
-    return TeError{std::string(size < wanted ? "cut off" : "too long") + ": " + std::to_string(size) +
-                   " bytes in place of " + std::to_string(wanted)};
+    return TeError{name + ": measured for resolution " + std::to_string(sizes[0]) +
+                   ", minimum patch resolution " + std::to_string(sizes[1]) + " and " +
+                   std::to_string(sizes[2]) + " levels, or damaged; wanted are " +
+                   std::to_string(layout.resolution()) + ", " + std::to_string(layout.minResolution()) +
+                   " and " + std::to_string(layout.levels())};
+  if (const std::uint64_t wanted = bytesOf(layout) + kHashBytes; file.bytes() != wanted)
+    return TeError{name + (file.bytes() < wanted ? ": cut off: " : ": too long: ") +
+                   std::to_string(file.bytes()) + " bytes in place of " + std::to_string(wanted)};
+  return {};
+}
 
+TeResult<Measured> readMeasured(const TeSeamlessLayout& layout, const TePlainFile& file,
+                                const std::string& name) {
+  WordReader reader(file, bytesOf(layout));
+  for (std::size_t i = 0; i < kMagic.size() + sizesOf(layout).size(); i++)
+    reader.read();
   Measured measured;
   for (int level = 0; level < layout.depth(); level++) {
     measured.errors.emplace_back(errorsOf(layout, level));
@@ -178,13 +181,9 @@ TeResult<Measured> readMeasured(const TeSeamlessLayout& layout, std::FILE* strea
     range.low = reader.readFloat();
     range.high = reader.readFloat();
   }
-  if (!reader.finish())
-    return TeError{"damaged: its checksum is another"};
+  if (TeStatus status = reader.finish(name); !status)
+    return status.error();
   return measured;
-}
-
-TeError notWritten(const std::string& file, int reason) {
-  return {file + ": cannot be written: " + std::strerror(reason)};
 }
 
 } // namespace
@@ -195,16 +194,10 @@ std::string TeSeamlessBoundsFile::nameFor(const std::string& pyramid, const TeSe
 }
 
 TeStatus TeSeamlessBoundsFile::save(const TeSeamlessBounds& bounds, const std::string& file) {
-  std::error_code unknown;
-  if (const fs::file_status status = fs::status(file, unknown);
-      fs::exists(status) && !fs::is_regular_file(status))
-    return TeError{file + ": cannot be written: it is not a plain file"};
-  const std::string part = file + ".part";
-  errno = 0;
-  FilePtr stream(std::fopen(part.c_str(), "wb"));
-  if (!stream)
-    return notWritten(file, errno);
-  WordWriter writer(stream.get());
+  TeResult<TePartFile> part = TePartFile::open(file);
+  if (!part)
+    return part.error();
+  WordWriter writer(*part);
   for (const std::uint32_t word : kMagic)
     writer.write(word);
   for (const std::uint32_t word : sizesOf(bounds.layout()))
@@ -216,30 +209,25 @@ TeStatus TeSeamlessBoundsFile::save(const TeSeamlessBounds& bounds, const std::s
     writer.write(range.low);
     writer.write(range.high);
   }
-  bool good = writer.finish();
-  good = std::fclose(stream.release()) == 0 && good;
-  if (good && std::rename(part.c_str(), file.c_str()) == 0)
-    return {};
-  const int reason = errno;
-  std::remove(part.c_str());
-  return notWritten(file, reason);
+  const TeStatus status = writer.finish();
+  if (!status)
+    part->discard();
+  return status;
 }
 
 TeResult<std::shared_ptr<const TeSeamlessBounds>> TeSeamlessBoundsFile::load(const TeSeamlessLayout& layout,
                                                                              const std::string& file) {
   if (layout.patchCount() > TeSeamlessBounds::kMaxPatches)
     return TeError{file + ": cannot be read: the layout has too many patches"};
-  std::error_code error;
-  const std::uintmax_t size = fs::file_size(file, error);
-  if (error)
-    return TeError{file + ": cannot be read: " + error.message()};
-  const FilePtr stream(std::fopen(file.c_str(), "rb"));
-  if (!stream)
-    return TeError{file + ": cannot be read: " + std::strerror(errno)};
+  const TeResult<TePlainFile> plain = TePlainFile::open(file);
+  if (!plain)
+    return plain.error();
   try {
-    TeResult<Measured> measured = readMeasured(layout, stream.get(), size);
+    if (TeStatus status = checkHeader(layout, *plain, file); !status)
+      return status.error();
+    TeResult<Measured> measured = readMeasured(layout, *plain, file);
     if (!measured)
-      return TeError{file + ": " + measured.error().message};
+      return measured.error();
     TeResult<std::shared_ptr<const TeSeamlessBounds>> bounds =
         TeSeamlessBounds::create(layout, std::move(*measured));
     if (!bounds)

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -22,9 +23,8 @@ using testing::StartsWith;
 class TeSeamlessBoundsFileTest : public testing::Test {
 protected:
   TeSeamlessBoundsFileTest() : m_layout(*TeSeamlessLayout::create(16, 4, 2)) {
-    m_folder = fs::path(testing::TempDir()) / testing::UnitTest::GetInstance()->current_test_info()->name();
-    fs::remove_all(m_folder);
-    fs::create_directory(m_folder);
+    std::string name = (fs::temp_directory_path() / "bounds-XXXXXX").string();
+    m_folder = mkdtemp(name.data());
     m_file = TeSeamlessBoundsFile::nameFor((m_folder / "hills").string(), m_layout);
     std::mt19937 random(4);
     m_bounds = *TeSeamlessBounds::create(m_layout, stressMap(StressField::Rough, 16, random));
@@ -88,7 +88,7 @@ TEST_F(TeSeamlessBoundsFileTest, RefusesEveryPrefixAndEveryFlippedBit) {
 }
 
 TEST_F(TeSeamlessBoundsFileTest, SaysWhatIsWrong) {
-  EXPECT_EQ(fault(), m_file + ": cannot be read: No such file or directory");
+  EXPECT_EQ(fault(), m_file + ": No such file or directory");
   write(std::string(5000, 'x'));
   EXPECT_EQ(fault(), m_file + ": no bounds of seamless patches, or of another version");
   ASSERT_TRUE(TeSeamlessBoundsFile::save(*m_bounds, m_file).ok());
@@ -100,7 +100,7 @@ TEST_F(TeSeamlessBoundsFileTest, SaysWhatIsWrong) {
   const fs::path folder = m_folder / "folder";
   fs::create_directory(folder);
   EXPECT_EQ(TeSeamlessBoundsFile::save(*m_bounds, folder.string()).error().message,
-            folder.string() + ": cannot be written: it is not a plain file");
+            folder.string() + ": cannot be written: Is a directory");
   const std::string nowhere = (m_folder / "none" / "file").string();
   EXPECT_EQ(TeSeamlessBoundsFile::save(*m_bounds, nowhere).error().message,
             nowhere + ": cannot be written: No such file or directory");
