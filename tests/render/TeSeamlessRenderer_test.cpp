@@ -6,7 +6,10 @@
 #include <Inventor/nodes/SoMaterial.h>
 
 #include <array>
+#include <cmath>
+#include <cstdio>
 #include <cstring>
+#include <random>
 #include <set>
 
 namespace {
@@ -73,6 +76,10 @@ TEST_F(TeSeamlessRendererTest, DrawsTheTrianglesOfTheMeshBitForBit) {
     scene->captures = true;
     show(*scene);
     EXPECT_GT(scene->captured.size(), 3000u);
+    int moved = 0;
+    for (const TeSeamlessRenderer::DrawnVertex& vertex : scene->captured)
+      moved += vertex.height != scene->look.heights->at(vertex.column, vertex.row);
+    EXPECT_EQ(moved > 100, geomorph);
     EXPECT_EQ(drawnTriangles(scene->captured),
               meshTriangles(*scene, SeamlessMapHeights(scene->look.heights)));
     for (const TeSeamlessRenderer::DrawnVertex& vertex : scene->captured)
@@ -319,4 +326,76 @@ TEST_F(TeSeamlessRendererTest, DrawsInTwoContextsAndOutlivesThem) {
   }
   showNode(new SoSeparator);
   EXPECT_EQ(TeSeamlessRenderer::liveObjects(), before);
+}
+
+// The camera looks straight ahead, so that a column of pixels is a vertical plane: from above the ground, all
+// below the highest pixel of ground in it is ground, or there is a crack.
+TEST_F(TeSeamlessRendererTest, NoCrackShowsFromAnywhereAboveTheGround) {
+  constexpr int kWidth = 200, kHeight = 150;
+  const auto map = hillyMap(256, 3000, 8000);
+  SeamlessPyramid pyramid(*map, 33, TeClipFormat::Half);
+  std::mt19937 random(7);
+  const auto between = [&](double low, double high) {
+    return low + (high - low) * double(random()) / 4294967295.0;
+  };
+  auto renderer = TeSceneRenderer::create(context(), kWidth, kHeight);
+  ASSERT_TRUE(renderer);
+  (*renderer)->setBackground(SbColor(1, 0, 1));
+  (*renderer)->setFitClipPlanes(false);
+  SeamlessScene scene(seamlessLayout(256, 4, 3), 1);
+  scene.placement.heightScale = 2e-3;
+  scene.look.heights = map;
+  const auto model = unlit();
+  auto* camera = new SoPerspectiveCamera;
+  camera->nearDistance = 0.01f;
+  camera->farDistance = 1000;
+  TeNodePtr<SoSeparator> root(new SoSeparator);
+  root->addChild(camera);
+  root->addChild(model.get());
+  root->addChild(scene.node.get());
+  std::int64_t ground = 0;
+  for (int view = 0; view < 60; view++) {
+    const double x = between(2, 254), y = between(2, 254);
+    const double above = std::pow(10, between(0, 1.5));
+    const double z = map->at(int(x), int(y)) * 2e-3 + above;
+    camera->position.setValue(float(scene.placement.corner.x + x), float(scene.placement.corner.y + y),
+                              float(z));
+    const double heading = between(0, 6.28);
+    camera->pointAt(camera->position.getValue() +
+                        SbVec3f(float(std::cos(heading)), float(std::sin(heading)), 0),
+                    SbVec3f(0, 0, 1));
+    camera->heightAngle = float(between(0.6, 2.2));
+    scene.look.geomorph = view % 2;
+    const bool clipmaps = view % 3 != 0;
+    scene.look.technique.heights = clipmaps ? TeSeamlessTechnique::Clipmaps : TeSeamlessTechnique::Heightmap;
+    if (clipmaps)
+      pyramid.update(context().id(), {between(0, 256), between(0, 256)}); // not always where the eye is
+    scene.heightClipmap = &pyramid.clipmap;
+    TeLodView lod;
+    lod.eye = scene.placement.corner + glm::dvec3(x, y, z);
+    TeSeamlessAccuracy accuracy;
+    accuracy.precision = between(1, 4);
+    accuracy.geomorph = scene.look.geomorph;
+    TeSeamlessSelection selection;
+    TeSeamlessSelector(scene.layout, nullptr)
+        .select(lod, scene.placement, accuracy, clipmaps ? &pyramid.clipmap.residency : nullptr, selection);
+    scene.select(selection);
+    const TeResult<TePicture> picture = (*renderer)->render(root.get());
+    ASSERT_TRUE(picture) << picture.error().message;
+    ASSERT_EQ(scene.error, "");
+    int cracks = 0;
+    for (int column = 0; column < kWidth; column++) {
+      int highest = kHeight - 1;
+      while (highest >= 0 && picture->pixel(column, highest) == kMagenta)
+        highest--;
+      ground += highest + 1;
+      for (int row = 0; row < highest; row++)
+        cracks += picture->pixel(column, row) == kMagenta;
+    }
+    EXPECT_EQ(cracks, 0) << view;
+  }
+  std::printf("60 views, %lld pixels of ground, no crack\n", static_cast<long long>(ground));
+  EXPECT_GT(ground, 60 * kWidth * kHeight / 4);
+  ASSERT_TRUE(context().makeCurrent());
+  pyramid.free();
 }
