@@ -2,6 +2,7 @@
 #include "nodes/seamless/TeSeamlessBounds.h"
 #include "tests/bench/TeBenchmarkReport.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
@@ -14,23 +15,38 @@ TeHeightMap hills(int resolution) {
   return map;
 }
 
-TeBenchmarkWork workOn(const TeHeightMap& map) {
-  return {std::int64_t(map.width()) * map.height(), map.bytes(), 0, map.bytes()};
+/// CPU seconds of what any pass over the samples costs: their minimum, maximum and mean.
+double passSeconds(const TeHeightMap& map) {
+  double least = 1e9;
+  for (int run = 0; run < 5; run++) {
+    const double start = teThreadCpuSeconds();
+    benchmark::DoNotOptimize(map.statistics().maximum);
+    least = std::min(least, teThreadCpuSeconds() - start);
+  }
+  return least;
+}
+
+/// Runs `work`, which goes over all samples, and prints its time in passes too, and the aim for it.
+template <class Work>
+void overSamples(benchmark::State& state, const TeHeightMap& map, double targetMilliseconds, Work work) {
+  const double start = teThreadCpuSeconds();
+  for (auto _ : state)
+    work();
+  const double seconds =
+      (teThreadCpuSeconds() - start) / double(std::max<std::int64_t>(1, state.iterations()));
+  state.counters["ns_a_sample"] = seconds * 1e9 / (double(map.width()) * map.height());
+  state.counters["passes"] = seconds / passSeconds(map);
+  state.counters["target_ms"] = targetMilliseconds;
 }
 
 /// Exact errors of all sides: one interpolation a sample for each resolution, and the fans of the strips.
 void seamlessBounds(benchmark::State& state) {
-  const TeHeightMap map = hills(int(state.range(0)));
+  const int resolution = int(state.range(0));
+  const TeHeightMap map = hills(resolution);
   const TeSeamlessLayout layout =
-      TeSeamlessLayout::create(int(state.range(0)), int(state.range(1)), int(state.range(2))).value();
-  teBenchmark(state, workOn(map),
+      TeSeamlessLayout::create(resolution, int(state.range(1)), int(state.range(2))).value();
+  overSamples(state, map, resolution <= 1024 ? 200 : 2000,
               [&] { benchmark::DoNotOptimize(TeSeamlessBounds::create(layout, map).value().get()); });
-}
-
-/// What any pass over the samples costs.
-void onePass(benchmark::State& state) {
-  const TeHeightMap map = hills(int(state.range(0)));
-  teBenchmark(state, workOn(map), [&] { benchmark::DoNotOptimize(map.statistics().maximum); });
 }
 
 /// Triangles of cells of 4 samples against all samples.
@@ -42,7 +58,7 @@ void screenError(benchmark::State& state) {
   const auto vertex = [&](int column, int row) {
     return TeScreenError::Vertex{column, row, map.at(column, row)};
   };
-  teBenchmark(state, workOn(map), [&] {
+  overSamples(state, map, 30, [&] {
     error.clear();
     for (int y = 0; y < resolution; y += step)
       for (int x = 0; x < resolution; x += step) {
@@ -53,7 +69,6 @@ void screenError(benchmark::State& state) {
   });
 }
 
-BENCHMARK(onePass)->Name("samples/one_pass")->Arg(1024)->Arg(4096)->Unit(benchmark::kMillisecond);
 BENCHMARK(seamlessBounds)
     ->Name("seamless/bounds")
     ->ArgNames({"resolution", "min", "levels"})
