@@ -1,5 +1,6 @@
 #pragma once
 
+#include "nodes/clipmap/TeClipImage.h"
 #include "nodes/clipmap/TeClipResidency.h"
 #include "nodes/clipmap/TePyramidTiles.h"
 
@@ -42,9 +43,9 @@ public:
   /// The highest level that is whole in a window of that size: the wholeLevel for TePyramidReader::open().
   static int wholeLevel(int size);
 
-  /// Reads the base. `size` need not be 2^k + 1. `maxLevel`: levels above are not held; -1 for all. Error: a
-  /// size out of range or for which the pyramid was not opened (wholeLevel()), a base above maxLevel or that
-  /// cannot be read, not enough memory.
+  /// Reads the base. `size` need not be 2^k + 1. `maxLevel`: levels above are not held, and one that is whole
+  /// is the base itself; -1 for all. Error: a size out of range or for which the pyramid was not opened
+  /// (wholeLevel()), a base that cannot be read, not enough memory.
   static TeResult<std::unique_ptr<TeClipWindows>> create(std::shared_ptr<TePyramidTiles> tiles, int size,
                                                          int maxLevel = -1);
 
@@ -88,23 +89,22 @@ public:
 
 private:
   struct Level {
-    TeSampleRect held;       ///< samples that the image has
-    TeSampleRect target;     ///< that the last update wanted
+    TeClipImage image;
+    TeSampleRect target;     ///< window that the last update wanted
     std::int64_t motion = 0; ///< samples that came into the target with the last update
-    std::vector<unsigned char> image;
-    bool hasFailed = false;
   };
 
   TeClipWindows(std::shared_ptr<TePyramidTiles> tiles, int size, int base, int levels);
 
-  bool isWhole(const Level& level) const { return level.held.columns == m_side && level.held.rows == m_side; }
+  Level& at(int level) { return m_levels[std::size_t(level - m_base)]; }
+  const Level& at(int level) const { return m_levels[std::size_t(level - m_base)]; }
   TeSampleRect targetFor(int level, glm::dvec2 centre) const;
   bool isNested(int level) const;
-  /// One level, with at most `samples` more; returns how many it took.
+  /// Moves one window, with at most `samples` more; returns how many it took.
   std::int64_t follow(int level, std::int64_t samples);
-  /// Adds columns, then rows, of `to` to what is held, which lies within it.
-  std::int64_t extend(int level, const TeSampleRect& to, std::int64_t samples);
-  bool load(int level, const TeSampleRect& rect);
+  /// Where a window that is whole can get to with so many samples and stay whole; the target, if it is too
+  /// far for that.
+  TeSampleRect partOfTheWay(const Level& moved, int level, std::int64_t samples) const;
   void note(int level, const TeSampleRect& texels);
   void updateResidency();
 
@@ -115,5 +115,6 @@ private:
   std::vector<Level> m_levels; ///< from the base on
   TeClipResidency m_residency;
   std::vector<TeClipUpload> m_uploads;
+  std::vector<TeSampleRect> m_places; ///< of one follow()
   Statistics m_statistics;
 };

@@ -3,22 +3,12 @@
 #include "generators/base/TeResult.h"
 #include "generators/elevation/TePlainFile.h"
 #include "nodes/clipmap/TePyramidFiles.h"
+#include "nodes/clipmap/TeSampleRect.h"
 
 #include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
-
-/// Samples of a level from (x, y) on, `columns` to the east and `rows` to the north.
-struct TeSampleRect {
-  std::int32_t x = 0;
-  std::int32_t y = 0;
-  std::int32_t columns = 0;
-  std::int32_t rows = 0;
-
-  bool isEmpty() const { return columns <= 0 || rows <= 0; }
-  std::int64_t count() const { return isEmpty() ? 0 : std::int64_t(columns) * rows; }
-};
 
 /// The level files of a pyramid (TePyramidFiles.h), open for reading. Move-only; reading is thread-safe.
 class TePyramidReader {
