@@ -93,10 +93,11 @@ TeStatus TeBakeSource::openRows(const TeMipmapsOptions& options, const TeElevati
 
   const bool colour = options.band == 0 && (info.bands == 3 || info.bands == 4);
   const TePostDecoder decoder(info, reading, (*file)->verticalUnit());
-  m_codeIsKnown = colour || (options.isRaw() && !info.signed16 && options.noData.empty());
+  m_codeIsKnown = colour || (info.unsigned16 && !info.hasNoData && options.noData.empty() && !m_fill);
   m_rows = std::make_unique<TeRasterRows>(m_path, std::move(*raster), reading.band, colour ? info.bands : 1,
                                           decoder, m_fill);
   m_stored = m_rows.get();
+  m_channels = m_rows->channels();
   return {};
 }
 
@@ -150,4 +151,9 @@ TeStatus TeBakeSource::read(int row, unsigned char* samples) {
     *samples++ = static_cast<unsigned char>(code >> 8);
   }
   return {};
+}
+
+void TeBakeSource::close() {
+  m_rows.reset();
+  m_stored = nullptr;
 }

@@ -17,8 +17,8 @@ public:
   static TeResult<TeBakeSource> open(const TeMipmapsOptions& options);
 
   int level() const { return m_level; }
-  bool isColour() const { return m_rows->channels() > 1; }
-  int sampleBytes() const { return isColour() ? m_rows->channels() : 2; }
+  bool isColour() const { return m_channels > 1; }
+  int sampleBytes() const { return isColour() ? m_channels : 2; }
   /// Of the input's state and all options that samples depend on.
   std::uint64_t fingerprint() const { return m_fingerprint; }
 
@@ -26,6 +26,9 @@ public:
   TeStatus measure(const std::function<void(double)>& progress);
   /// A row from the north: side · sampleBytes() bytes. Error: unreadable; a colour that is no byte.
   TeStatus read(int row, unsigned char* samples);
+
+  /// Gives back the memory that reading took; no rows can be read after that.
+  void close();
 
   /// Metres between samples.
   double spacing() const { return m_spacing; }
@@ -42,6 +45,7 @@ private:
   std::unique_ptr<TeRows> m_rows;
   TeRows* m_stored = nullptr; ///< what m_rows are made of, or they themselves
   std::optional<double> m_fill;
+  int m_channels = 1;
   bool m_codeIsKnown = false;
   int m_level = 0;
   std::uint64_t m_fingerprint = 0;

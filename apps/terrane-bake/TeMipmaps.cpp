@@ -4,6 +4,7 @@
 #include "apps/common/TeProgressLine.h"
 #include "apps/common/TeStopwatch.h"
 #include "apps/terrane-bake/TeBakeSource.h"
+#include "apps/terrane-bake/TePyramidBounds.h"
 #include "apps/terrane-bake/TeTerrainDescription.h"
 #include "nodes/clipmap/TePyramidWriter.h"
 
@@ -11,6 +12,7 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <optional>
 
 namespace {
 
@@ -19,6 +21,11 @@ struct Outcome {
   TeExit status = TeExitSuccess;
   std::string reason;
 };
+
+bool exists(const std::string& path) {
+  struct stat status;
+  return ::lstat(path.c_str(), &status) == 0;
+}
 
 Outcome badInput(const TeError& error) { return {TeExitUsage, error.message}; }
 Outcome failed(const TeError& error) { return {TeExitFailure, error.message}; }
@@ -32,6 +39,8 @@ public:
     TeResult<TeBakeSource> source = TeBakeSource::open(m_options);
     if (!source)
       return badInput(source.error());
+    if (TeStatus ok = chooseBounds(*source); !ok)
+      return badInput(ok.error());
     const TePyramidPlan plan{m_options.output, source->level(), source->sampleBytes(), source->fingerprint()};
     if (TeStatus ok = mayWrite(plan); !ok)
       return badInput({ok.error().message + "; --force replaces what is there"});
@@ -42,21 +51,36 @@ public:
       return failed(writer.error());
     if (Outcome end = writeLevels(*source, *writer); end.status != TeExitSuccess)
       return end;
-    const std::string description = TeTerrainDescription::besidePyramid(plan.name);
-    ::unlink(description.c_str()); // it would speak of other files
-    if (TeStatus ok = writer->finish(); !ok)
-      return failed(ok.error());
-    if (TeStatus ok = describe(*source).write(description); !ok)
-      return failed(ok.error());
+    source->close();
+    if (Outcome end = complete(*source, *writer); end.status != TeExitSuccess)
+      return end;
     writer->forget();
     return {};
   }
 
 private:
+  /// Bounds are of heights, and of terrains that are not smaller than a patch.
+  TeStatus chooseBounds(const TeBakeSource& source) {
+    const int resolution = tePyramidSide(source.level()) - 1;
+    if (!m_options.bounds || source.isColour() || resolution < m_options.minResolution)
+      return {};
+    const TeResult<TeSeamlessLayout> layout =
+        TeSeamlessLayout::create(resolution, m_options.minResolution, m_options.levels);
+    if (!layout)
+      return layout.error();
+    m_layout = *layout;
+    return {};
+  }
+
   TeStatus mayWrite(const TePyramidPlan& plan) const {
     if (m_options.force)
       return {};
-    return TePyramidWriter::check(plan);
+    if (TeStatus ok = TePyramidWriter::check(plan); !ok)
+      return ok;
+    const std::string description = TeTerrainDescription::besidePyramid(plan.name);
+    if (!exists(TePyramidWriter::journalOf(plan)) && exists(description))
+      return TeError{description + ": exists already"};
+    return {};
   }
 
   Outcome measure(TeBakeSource& source) {
@@ -85,6 +109,28 @@ private:
     return {};
   }
 
+  /// Levels take their names; what speaks of them follows, and what spoke of others goes before.
+  Outcome complete(const TeBakeSource& source, TePyramidWriter& writer) {
+    const std::string description = TeTerrainDescription::besidePyramid(m_options.output);
+    ::unlink(description.c_str());
+    teRemovePyramidBounds(m_options.output);
+    if (TeStatus ok = writer.finish(); !ok)
+      return failed(ok.error());
+    if (TeStatus ok = describe(source).write(description); !ok)
+      return failed(ok.error());
+    if (!m_layout)
+      return {};
+    const TeStopwatch time;
+    TeProgressLine line("Measuring bounds", m_quiet);
+    const TeResult<std::string> bounds =
+        teWritePyramidBounds(m_options.output, *m_layout, [&](double done) { line.update(done); });
+    if (!bounds)
+      return failed(bounds.error());
+    m_report.json()["bounds"] = *bounds;
+    m_report.addTime("bounds", time.seconds());
+    return {};
+  }
+
   TeTerrainDescription describe(const TeBakeSource& source) const {
     TeTerrainDescription description;
     description.samples = tePyramidSide(source.level());
@@ -108,6 +154,7 @@ private:
   const TeMipmapsOptions& m_options;
   bool m_quiet;
   TeReport& m_report;
+  std::optional<TeSeamlessLayout> m_layout; ///< of the bounds, if there shall be any
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "apps/terrane-bake/TeMipmapsOptions.h"
 
 #include "generators/base/TeHash.h"
+#include "nodes/seamless/TeSeamlessLayout.h"
 
 #include <cmath>
 
@@ -62,6 +63,16 @@ CLI::App* TeMipmapsOptions::addTo(TeCommandLine& commandLine) {
       ->check(TeCommandLine::notEmpty())
       ->option_text("UNIT")
       ->group(reading);
+  const std::string bounding = "Bounds for Seamless Patches";
+  command->add_flag("!--no-bounds", bounds, "Do not measure them")->group(bounding);
+  command->add_option("--min-resolution", minResolution, "Lowest resolution of a patch (default: 16)")
+      ->transform(TeCommandLine::wholeWithin(2, TeSeamlessLayout::kMaxPatchResolution))
+      ->option_text("N")
+      ->group(bounding);
+  command->add_option("--levels", levels, "Resolutions of a patch (default: 3)")
+      ->transform(TeCommandLine::wholeWithin(2, TeSeamlessLayout::kMaxLevels))
+      ->option_text("N")
+      ->group(bounding);
   return command;
 }
 

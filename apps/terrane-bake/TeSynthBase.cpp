@@ -28,13 +28,13 @@ double smoothStep(double low, double high, double x) {
 /// Metres, from the noises of a place, each within ±1: where the land is, where its mountains stand, and what
 /// its plains look like.
 double landHeight(double land, double crests, double hills) {
-  constexpr double kCoast = -0.02;
+  constexpr double kCoast = -0.3;
   const double inland = land - kCoast;
   if (inland <= 0)
     return 0;
   const double plain = 250 * inland + 80 * (hills + 0.4) * smoothStep(0, 0.1, inland);
   const double crest = std::max(0.0, 0.5 * (crests + 1));
-  return std::max(0.0, plain) + 5200 * smoothStep(0.08, 0.5, inland) * crest * std::sqrt(crest);
+  return std::max(0.0, plain) + 4800 * smoothStep(0.25, 1, inland) * crest * std::sqrt(crest);
 }
 
 } // namespace

@@ -23,6 +23,6 @@ struct TeSynthBase {
   /// Of an elevation file, its stored heights as they are. Error: unreadable, no square of 4 to kMostSide a
   /// side, heights missing or beyond 0 .. 65535.
   static TeResult<TeSynthBase> fromFile(const std::string& path);
-  /// Of gradient noise: a sea with islands and coasts, plains and ranges up to some 4 km.
+  /// Of gradient noise: a sea with coasts and islands, plains and mountains.
   static TeSynthBase fromNoise(std::uint64_t seed);
 };

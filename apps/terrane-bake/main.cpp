@@ -17,7 +17,7 @@ const char* kName = "terrane-bake";
 
 int main(int argc, char** argv) {
   // Rows are read in order: GDAL needs room for one row of a file's blocks. A user's own choice stands.
-  ::setenv("GDAL_CACHEMAX", "16", 0);
+  ::setenv("GDAL_CACHEMAX", "12", 0);
   TeCommandLine commandLine(kName, "Makes the files that large terrains are drawn from.", false);
   commandLine.cli().require_subcommand(1);
   commandLine.cli().fallthrough();

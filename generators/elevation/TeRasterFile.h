@@ -54,8 +54,9 @@ struct TeRasterInfo {
   double semiMajor = 6378137;
   double inverseFlattening = 298.257223563;
 
-  bool signed16 = false; ///< 16 bit signed samples
-  bool float32 = false;  ///< single precision samples
+  bool signed16 = false;   ///< 16 bit signed samples
+  bool unsigned16 = false; ///< samples of 8 or 16 bits without sign
+  bool float32 = false;    ///< single precision samples
   bool hasNoData = false;
   double noData = 0;
   double scale = 1; ///< height in the vertical unit = sample · scale + offset

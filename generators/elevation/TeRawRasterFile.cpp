@@ -10,6 +10,7 @@ TeRawRasterFile::TeRawRasterFile(TePlainFile file, const TeElevationOptions& opt
   m_info.bands = 1;
   m_info.pixelIsPoint = true;
   m_info.signed16 = options.rawSigned;
+  m_info.unsigned16 = !options.rawSigned;
 }
 
 TeResult<std::unique_ptr<TeRasterFile>> TeRawRasterFile::open(const std::string& path,

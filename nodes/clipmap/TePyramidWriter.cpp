@@ -10,8 +10,6 @@
 
 namespace {
 
-std::string journalOf(const TePyramidPlan& plan) { return plan.name + ".journal"; }
-
 /// The work's: also what lies on the disk.
 std::uint64_t fingerprintOf(const TePyramidPlan& plan) {
   const std::uint64_t shape = std::uint64_t(plan.level) * 8 + std::uint64_t(plan.sampleBytes);

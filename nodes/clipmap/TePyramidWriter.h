@@ -29,6 +29,8 @@ public:
   /// they are of the same interrupted work, or interrupted work on something else.
   static TeStatus check(const TePyramidPlan& plan);
 
+  static std::string journalOf(const TePyramidPlan& plan) { return plan.name + ".journal"; }
+
   /// Goes on with what was begun, or starts anew over whatever there is. Nothing under the names of levels
   /// changes before finish(). Error also: another program is at it.
   static TeResult<TePyramidWriter> open(const TePyramidPlan& plan);

@@ -86,6 +86,7 @@ TeStatus TeGdalRasterFile::describe(int number) {
   if (GDALDataTypeIsComplex(type))
     return TeError{"complex samples are no heights"};
   m_info.signed16 = type == GDT_Int16;
+  m_info.unsigned16 = type == GDT_UInt16 || type == GDT_Byte;
   m_info.float32 = type == GDT_Float32;
   int given = 0;
   m_info.noData = band.GetNoDataValue(&given);
