@@ -99,8 +99,10 @@ private:
     std::vector<unsigned char> row(std::size_t(side) * std::size_t(source.sampleBytes()));
     TeProgressLine line("Writing levels", m_quiet);
     while (writer.nextRow() < side) {
-      if (TeStatus ok = source.read(writer.nextRow(), row.data()); !ok)
+      if (TeStatus ok = source.read(writer.nextRow(), row.data()); !ok) {
+        writer.discard(); // nothing to go on with
         return badInput(ok.error());
+      }
       if (TeStatus ok = writer.write(row.data()); !ok)
         return failed(ok.error());
       line.update(double(writer.nextRow()) / side);

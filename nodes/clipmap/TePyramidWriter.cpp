@@ -97,10 +97,7 @@ TeStatus TePyramidWriter::begin() {
   for (int level = 0; level <= m_plan.level; ++level) {
     TeResult<TePartFile> file = TePartFile::open(tePyramidLevelFile(m_plan.name, level));
     if (!file) {
-      for (std::optional<TePartFile>& made : m_files)
-        if (made)
-          made->discard();
-      m_journal.remove();
+      discard();
       return file.error();
     }
     m_files[std::size_t(level)] = std::move(*file);
@@ -151,4 +148,11 @@ TeStatus TePyramidWriter::finish() {
       if (TeStatus ok = file->finish(); !ok)
         return ok;
   return {};
+}
+
+void TePyramidWriter::discard() {
+  for (std::optional<TePartFile>& file : m_files)
+    if (file)
+      file->discard();
+  forget();
 }

@@ -44,6 +44,8 @@ public:
   TeStatus finish();
   /// Removes the journal.
   void forget() { m_journal.remove(); }
+  /// Removes what was written, before finish().
+  void discard();
 
 private:
   TePyramidWriter(const TePyramidPlan& plan, TePyramidJournal journal)

@@ -282,8 +282,8 @@ TEST_F(TerraneBake, BadInput) {
   if (truncate(huge.c_str(), off_t(2) * 2097153 * 2097153) == 0) {
     expectRefused({"mipmaps", huge, scratch("out")}, 2, "huge.raw");
   }
-  EXPECT_FALSE(fs::exists(level(0)));
-  EXPECT_FALSE(fs::exists(scratch("out.journal")));
+  for (const auto& entry : fs::directory_iterator(scratch("")))
+    EXPECT_NE(entry.path().filename().string().rfind("out", 0), 0u) << entry.path();
 }
 
 TEST_F(TerraneBake, WhatCannotBeWrittenIsAFailure) {

@@ -182,6 +182,14 @@ TEST_F(TePyramidWriterTest, HigherLevelsOfAnOlderPyramidGo) {
   EXPECT_FALSE(fs::exists(file(6)));
 }
 
+TEST_F(TePyramidWriterTest, DiscardedLeavesNothing) {
+  TeResult<TePyramidWriter> writer = TePyramidWriter::open(plan(5));
+  ASSERT_TRUE(writer);
+  writeRows(*writer, plan(5), 9);
+  writer->discard();
+  EXPECT_TRUE(fs::is_empty(m_folder));
+}
+
 TEST_F(TePyramidWriterTest, WhatCannotBeWrittenIsNamedAndLeavesNothing) {
   TePyramidPlan nowhere = plan(3);
   nowhere.name = "/no/such/folder/p";
