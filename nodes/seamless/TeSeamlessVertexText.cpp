@@ -111,9 +111,9 @@ void add(inout Light sum, int i, vec3 normal, vec3 toLight, float share) {
 #endif
 }
 
-float attenuation(int i, float distance) {
-  return 1.0 / (gl_LightSource[i].constantAttenuation + distance * (gl_LightSource[i].linearAttenuation +
-                distance * gl_LightSource[i].quadraticAttenuation));
+float attenuation(int i, float away) {
+  return 1.0 / (gl_LightSource[i].constantAttenuation + away * (gl_LightSource[i].linearAttenuation +
+                away * gl_LightSource[i].quadraticAttenuation));
 }
 
 float spot(int i, vec3 toLight) {
@@ -121,12 +121,22 @@ float spot(int i, vec3 toLight) {
   return cosine < gl_LightSource[i].spotCosCutoff ? 0.0 : pow(max(cosine, 1e-8), gl_LightSource[i].spotExponent);
 }
 
+void addPoint(inout Light sum, int i, vec3 normal, vec3 position) {
+  vec3 toLight = gl_LightSource[i].position.xyz / gl_LightSource[i].position.w - position;
+  float away = length(toLight);
+  add(sum, i, normal, toLight / away, attenuation(i, away));
+}
+
+void addSpot(inout Light sum, int i, vec3 normal, vec3 position) {
+  vec3 toLight = gl_LightSource[i].position.xyz / gl_LightSource[i].position.w - position;
+  float away = length(toLight);
+  toLight /= away;
+  add(sum, i, normal, toLight, spot(i, toLight) * attenuation(i, away));
+}
+
 #define DIRECTIONAL(i) add(sum, i, normal, normalize(gl_LightSource[i].position.xyz), 1.0);
-#define POINT(i) { vec3 to = gl_LightSource[i].position.xyz / gl_LightSource[i].position.w - position; \
-  float distance = length(to); add(sum, i, normal, to / distance, attenuation(i, distance)); }
-#define SPOT(i) { vec3 to = gl_LightSource[i].position.xyz / gl_LightSource[i].position.w - position; \
-  float distance = length(to); to /= distance; \
-  add(sum, i, normal, to, spot(i, to) * attenuation(i, distance)); }
+#define POINT(i) addPoint(sum, i, normal, position);
+#define SPOT(i) addSpot(sum, i, normal, position);
 
 vec3 lit(vec3 normal, vec3 position) {
   Light sum = Light(gl_FrontLightModelProduct.sceneColor.rgb, vec3(0), vec3(0));
@@ -192,11 +202,11 @@ void main() {
 #if defined(HEIGHT_MAP)
   slope = vec2(ivec2(texel.g << 16, texel.g) >> 16) * slopeUnit;
 #elif defined(HEIGHT_CLIPMAP)
-  int distance = max(((stepOf(chain) << (patchInstance.z & 255)) >> patchLog) >> clipShift, 1);
+  int reach = max(((stepOf(chain) << (patchInstance.z & 255)) >> patchLog) >> clipShift, 1);
   ivec2 low = clipWindows[2 * clipLayer].xy;
   ivec2 high = low + clipWindows[2 * clipLayer + 1].x - 1;
-  ivec2 before = max(texel - distance, low);
-  ivec2 after = min(texel + distance, high);
+  ivec2 before = max(texel - reach, low);
+  ivec2 after = min(texel + reach, high);
   slope = vec2(texelAt(ivec2(after.x, texel.y)) - texelAt(ivec2(before.x, texel.y)),
                texelAt(ivec2(texel.x, after.y)) - texelAt(ivec2(texel.x, before.y))) /
           vec2(max(after - before, ivec2(1)) << clipShift);
