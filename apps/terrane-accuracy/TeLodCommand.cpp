@@ -2,6 +2,7 @@
 
 #include "apps/common/TeExit.h"
 #include "apps/common/TeProgressLine.h"
+#include "apps/terrane-accuracy/TeLayoutText.h"
 #include "apps/terrane-accuracy/TeSeamlessMethod.h"
 #include "generators/base/TeText.h"
 
@@ -11,18 +12,6 @@ namespace {
 
 const std::vector<std::string> kMethods = {"seamless", "seamless-geomorph"};
 const std::vector<double> kDefaultPixels = {0.5, 1, 2, 4, 8, 16, 32};
-
-bool readLayout(const std::string& text, int& minResolution, int& levels) {
-  int used = 0;
-  return std::sscanf(text.c_str(), "%d/%d%n", &minResolution, &levels, &used) == 2 &&
-         std::size_t(used) == text.size();
-}
-
-std::string checkLayout(std::string& text) {
-  int minResolution = 0, levels = 0;
-  return readLayout(text, minResolution, levels) ? std::string()
-                                                 : "must be LOWEST/LEVELS, such as 16/3, not '" + text + "'";
-}
 
 } // namespace
 
@@ -43,7 +32,7 @@ TeLodCommand::TeLodCommand(TeCommandLine& commandLine)
       ->add_option("--layout", m_layouts,
                    "Lowest resolution of a patch and number of resolutions (default: 16/3)")
       ->delimiter(',')
-      ->check(CLI::Validator(checkLayout, ""))
+      ->check(CLI::Validator(teCheckLayout, ""))
       ->option_text("LIST")
       ->group(group);
   m_cli->add_option("--px", m_pixels, "Wanted screen errors, pixels (default: 0.5,1,2,4,8,16,32)")
@@ -73,7 +62,7 @@ TeLodCommand::candidates(const TeMeasuredTerrain& terrain) const {
   for (const std::string& method : m_methods)
     for (const std::string& layout : m_layouts) {
       TeSeamlessMethod::Settings settings;
-      readLayout(layout, settings.minResolution, settings.levels);
+      teReadLayout(layout, settings.minResolution, settings.levels);
       settings.geomorph = method == "seamless-geomorph";
       TeResult<std::unique_ptr<TeSeamlessMethod>> made = TeSeamlessMethod::create(terrain, settings);
       if (!made)

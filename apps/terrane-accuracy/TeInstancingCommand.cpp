@@ -1,0 +1,271 @@
+#include "apps/terrane-accuracy/TeInstancingCommand.h"
+
+#include "apps/common/TeExit.h"
+#include "apps/common/TeProgressLine.h"
+#include "apps/terrane-accuracy/TeLayoutText.h"
+#include "generators/base/TeText.h"
+
+#include <cstdio>
+
+namespace {
+
+constexpr int kFramesPerSecond = 30;
+constexpr int kDefaultFrames = 20 * kFramesPerSecond;
+constexpr double kMetresPerSecond = 500;
+constexpr double kClearance = 100; ///< metres
+constexpr double kFarDistance = 60000;
+
+/// The document's figures, measured on a GeForce 9600 GT.
+struct Published {
+  double precision;
+  bool instanced;
+  double drawCalls, triangles, ms;
+};
+constexpr Published kPublished[] = {{4, true, 46, 656702, 2.079},
+                                    {4, false, 1839, 650459, 2.819},
+                                    {1, true, 43, 68562, 0.926},
+                                    {1, false, 250, 67971, 0.961}};
+
+TeTable::Cell published(double precision, bool instanced, double Published::*value) {
+  for (const Published& line : kPublished)
+    if (line.precision == precision && line.instanced == instanced)
+      return line.*value;
+  return {};
+}
+
+} // namespace
+
+TeInstancingCommand::TeInstancingCommand(TeCommandLine& commandLine)
+    : m_commandLine(commandLine),
+      m_cli(commandLine.cli().add_subcommand(
+          "instancing", "Measures instanced and classic drawing of Seamless Patches on a flight")) {
+  m_cli->fallthrough();
+  const std::string group = "Terrain";
+  CLI::Option* clipmaps =
+      m_cli->add_option("--clipmaps", m_clipmaps, "Height pyramid NAME_i.raw, seen through clipmaps")
+          ->check(TeCommandLine::notEmpty())
+          ->option_text("NAME")
+          ->group(group);
+  m_cli
+      ->add_option("--map", m_map, "One map of 2^n + 1 samples a side of 16 bits, the first row in the south")
+      ->check(TeCommandLine::notEmpty())
+      ->option_text("FILE.raw")
+      ->excludes(clipmaps)
+      ->group(group);
+  m_cli->add_option("--cells", m_cells, "Metres between samples (default: 10)")
+      ->check(TeCommandLine::within(1e-3, 1e6))
+      ->option_text("METRES")
+      ->group(group);
+  m_cli->add_option("--height-unit", m_heightUnit, "Metres of one step of the heights (default: 0.1)")
+      ->check(TeCommandLine::within(0, 1e6))
+      ->option_text("METRES")
+      ->group(group);
+  m_cli->add_option("--clip-size", m_clipSize, "Samples a side of a window (default: 513)")
+      ->transform(TeCommandLine::wholeWithin(TeClipWindows::kMinSize, TeClipWindows::kMaxSize))
+      ->option_text("N")
+      ->needs(clipmaps)
+      ->group(group);
+  const std::string measuring = "Measuring";
+  m_cli
+      ->add_option_function<std::string>(
+          "--layout", [this](const std::string& text) { teReadLayout(text, m_minResolution, m_levels); },
+          "Lowest resolution of a patch and number of resolutions (default: 16/3)")
+      ->check(CLI::Validator(teCheckLayout, ""))
+      ->option_text("LOWEST/LEVELS")
+      ->group(measuring);
+  m_cli->add_option("--precision", m_precisions, "The document's precision factors (default: 1,4)")
+      ->delimiter(',')
+      ->check(TeCommandLine::within(1, 1e4))
+      ->option_text("LIST")
+      ->group(measuring);
+  m_cli->add_flag("--no-draw", m_noDraw, "Measure selection only")->group(measuring);
+  m_cli->add_option("--out", m_folder, "Folder for what is written (default: accuracy)")
+      ->check(TeCommandLine::notEmpty())
+      ->option_text("DIR")
+      ->group(measuring);
+}
+
+TeResult<TeInstancingTerrain> TeInstancingCommand::open() const {
+  if (!m_clipmaps.empty())
+    return TeInstancingTerrain::ofPyramid(m_clipmaps, m_cells, m_heightUnit, m_clipSize);
+  if (m_map.empty())
+    return TeError{"--clipmaps or --map is required"};
+  TeResult<TeMeasuredTerrain> map = TeMeasuredTerrain::readMap(m_map, m_cells, m_heightUnit);
+  if (!map)
+    return map.error();
+  return TeInstancingTerrain::ofMap(std::move(*map));
+}
+
+TeFlyover TeInstancingCommand::flight(const TeInstancingTerrain& terrain) const {
+  constexpr double kDegreesARadian = 57.29577951308232;
+  TeFlyover flight = terrain.flyover();
+  flight.clearance = kClearance;
+  flight.farDistance = kFarDistance;
+  flight.width = m_commandLine.common().width;
+  flight.height = m_commandLine.common().height;
+  flight.anglePerFrame =
+      kDegreesARadian * kMetresPerSecond / kFramesPerSecond / (flight.radius * flight.cells * flight.spacing);
+  return flight;
+}
+
+int TeInstancingCommand::frames() const {
+  return m_commandLine.common().frames > 0 ? m_commandLine.common().frames : kDefaultFrames;
+}
+
+std::vector<int> TeInstancingCommand::resolutions(const TeInstancingTerrain& terrain) const {
+  // A quarter as many samples, where files have them.
+  const int coarse = terrain.cells() / 4;
+  if (terrain.clipSize() > 0 && coarse + 1 > terrain.clipSize())
+    return {terrain.cells(), coarse};
+  return {terrain.cells()};
+}
+
+TeStatus TeInstancingCommand::measure(const TeInstancingTerrain& terrain, TeFlightStage* stage,
+                                      TeTable& table) const {
+  const TeFlyover flight = this->flight(terrain);
+  for (const int resolution : resolutions(terrain)) {
+    const TeResult<TeSeamlessLayout> layout = TeSeamlessLayout::create(resolution, m_minResolution, m_levels);
+    if (!layout)
+      return layout.error();
+    TeResult<std::shared_ptr<const TeSeamlessBounds>> bounds = [&] {
+      TeProgressLine progress("Measuring heights", m_commandLine.common().quiet);
+      return terrain.bounds(*layout, [&](double done) {
+        progress.update(done);
+        return true;
+      });
+    }();
+    if (!bounds)
+      return bounds.error();
+    const TeInstancingSweep sweep(terrain, *bounds, flight, frames());
+    TeFlightStage* shown = resolution == terrain.cells() ? stage : nullptr;
+    for (const double precision : m_precisions) {
+      TeProgressLine progress(teFormat("Flying, %d, precision %g", resolution, precision),
+                              m_commandLine.common().quiet);
+      const auto step = [&](int frame) { progress.update(double(frame) / frames()); };
+      const TeResult<TeSelectionFigures> chosen = sweep.select(precision, step);
+      if (!chosen)
+        return chosen.error();
+      TeDrawingFigures drawn[2];
+      if (shown)
+        if (const TeStatus ok = sweep.draw(precision, *shown, drawn[0], drawn[1], step); !ok)
+          return ok;
+      for (const bool instanced : {true, false}) {
+        const TeDrawingFigures& figures = drawn[instanced ? 0 : 1];
+        const bool compared = resolution == 16384;
+        const auto ofFrames = [&](double value) { return shown ? TeTable::Cell(value) : TeTable::Cell(); };
+        const auto document = [&](double Published::*value) {
+          return compared ? published(precision, instanced, value) : TeTable::Cell();
+        };
+        table.addRow({std::string(instanced ? "instanced" : "classic"),
+                      std::int64_t(resolution),
+                      precision,
+                      shown       ? figures.drawCalls
+                      : instanced ? chosen->instancedCalls
+                                  : chosen->classicCalls,
+                      document(&Published::drawCalls),
+                      shown ? figures.triangles : chosen->triangles,
+                      document(&Published::triangles),
+                      chosen->ms.median,
+                      chosen->ms.low,
+                      chosen->ms.high,
+                      chosen->ms.mean,
+                      ofFrames(figures.frameMs.median),
+                      ofFrames(figures.frameMs.low),
+                      ofFrames(figures.frameMs.high),
+                      ofFrames(figures.frameMs.mean),
+                      document(&Published::ms),
+                      chosen->patches,
+                      chosen->visited,
+                      chosen->nsPerPatch,
+                      chosen->plainVisited,
+                      chosen->plainNsPerPatch,
+                      chosen->nsPerPatch / chosen->plainNsPerPatch,
+                      shown ? figures.uploadBytes : chosen->instanceBytes});
+      }
+    }
+  }
+  return {};
+}
+
+void TeInstancingCommand::describe(const TeInstancingTerrain& terrain, const TeFlightStage* stage,
+                                   const TeTable& table, TeAccuracyOutput& output) const {
+  const TeFlyover flight = this->flight(terrain);
+  auto& json = output.json();
+  json["terrain"] = {{"name", terrain.name()},
+                     {"samples", terrain.cells() + 1},
+                     {"spacing_m", terrain.spacing()},
+                     {"height_unit_m", terrain.heightScale()},
+                     {"clip_size", terrain.clipSize()}};
+  json["layout"] = {{"min_resolution", m_minResolution}, {"levels", m_levels}};
+  json["flight"] = {{"frames", frames()},
+                    {"frames_a_second", kFramesPerSecond},
+                    {"metres_a_second", kMetresPerSecond},
+                    {"clearance_m", kClearance},
+                    {"far_m", kFarDistance},
+                    {"width", flight.width},
+                    {"height", flight.height}};
+  if (stage)
+    json["renderer"] = stage->context().renderer();
+  output.addText(
+      teFormat("%d² samples, %g m apart; patches of %d/%d; %d frames of an arc around the middle, ",
+               terrain.cells() + 1, terrain.spacing(), m_minResolution, m_levels, frames()) +
+      teFormat("%d a second at %g m/s, %g m above the ground, 8° down; %d×%d pixels. ", kFramesPerSecond,
+               kMetresPerSecond, kClearance, flight.width, flight.height) +
+      (stage ? "Drawn by " + stage->context().renderer() + "." : std::string("Not drawn.")));
+  output.addTable(table);
+}
+
+int TeInstancingCommand::run() {
+  const std::string& application = m_commandLine.application();
+  const TeCommonOptions& common = m_commandLine.common();
+  TeAccuracyOutput output(m_commandLine, "instancing", m_folder);
+  const TeResult<TeInstancingTerrain> terrain = open();
+  if (!terrain)
+    return teExitWith(TeExitUsage, application, terrain.error().message);
+  if (const TeResult<TeSeamlessLayout> layout =
+          TeSeamlessLayout::create(terrain->cells(), m_minResolution, m_levels);
+      !layout)
+    return teExitWith(TeExitUsage, application, layout.error().message);
+  if (const TeStatus ok = output.prepare(); !ok)
+    return teExitWith(TeExitFailure, application, ok.error().message);
+  std::unique_ptr<TeFlightStage> stage;
+  if (!m_noDraw) {
+    TeResult<std::unique_ptr<TeFlightStage>> made =
+        TeFlightStage::create(*teContextKind(common.context), common.width, common.height);
+    if (!made)
+      return teExitWith(TeExitFailure, application, made.error().message);
+    stage = std::move(*made);
+  }
+
+  TeTable table({"method",
+                 "resolution",
+                 "precision",
+                 "draw_calls",
+                 "document_draw_calls",
+                 "triangles",
+                 "document_triangles",
+                 "select_ms",
+                 "select_low_ms",
+                 "select_high_ms",
+                 "select_mean_ms",
+                 "frame_ms",
+                 "frame_low_ms",
+                 "frame_high_ms",
+                 "frame_mean_ms",
+                 "document_frame_ms",
+                 "patches",
+                 "visited",
+                 "ns_a_visited",
+                 "plain_visited",
+                 "plain_ns_a_visited",
+                 "select_ratio",
+                 "upload_bytes"});
+  if (const TeStatus ok = measure(*terrain, stage.get(), table); !ok)
+    return teExitWith(TeExitFailure, application, ok.error().message);
+  describe(*terrain, stage.get(), table, output);
+  if (!common.quiet)
+    std::fputs(table.markdown().c_str(), stdout);
+  if (const TeStatus ok = output.write(table); !ok)
+    return teExitWith(TeExitFailure, application, ok.error().message);
+  return TeExitSuccess;
+}
