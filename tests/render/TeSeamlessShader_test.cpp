@@ -1,5 +1,6 @@
 #include "nodes/seamless/TeSeamlessShader.h"
 
+#include "nodes/seamless/SoTeSeamlessPatches.h"
 #include "render/SeamlessRenderTest.h"
 #include "render/seamlessPyramid.h"
 
@@ -108,6 +109,21 @@ TEST_F(TeSeamlessShaderTest, LightsAreThoseOfTheScene) {
   expectAsCoin("lamps", {ambient.get(), lamp.get(), spot.get()});
   const auto model = unlit();
   expectAsCoin("unlit", {model.get(), gloss.get()});
+}
+
+TEST_F(TeSeamlessShaderTest, IsTransparentOnlyIfTheMaterialIs) {
+  const TeNodePtr<SoTeSeamlessPatches> terrain(new SoTeSeamlessPatches);
+  terrain->size.setValue(128, 128, 1);
+  terrain->resolution = 64;
+  terrain->stripColor.setValue(1, 1, 1);
+  const auto model = unlit();
+  const TeNodePtr<SoMaterial> glass(new SoMaterial);
+  glass->diffuseColor.setValue(0, 1, 0);
+  EXPECT_EQ(showNode(terrain.get(), "", {model.get(), glass.get()}).pixel(160, 120),
+            (TePicture::Pixel{0, 255, 0, 255}));
+  glass->transparency = 0.6f;
+  EXPECT_EQ(showNode(terrain.get(), "", {model.get(), glass.get()}).pixel(160, 120),
+            (TePicture::Pixel{153, 102, 153, 255}));
 }
 
 TEST_F(TeSeamlessShaderTest, StandsInFogAndUnderTransformsAndIsCutByPlanes) {
