@@ -55,6 +55,12 @@ foreach(written picture.png scene.iv)
   endif()
 endforeach()
 
+run(${SCRATCH}/prefix/bin/terrane-bake synth ${SCRATCH}/terrain.raw --size 33 --quiet)
+run(${SCRATCH}/prefix/bin/terrane-bake mipmaps ${SCRATCH}/terrain.raw ${SCRATCH}/terrain --quiet)
+if(NOT EXISTS ${SCRATCH}/terrain_5.raw)
+  message(FATAL_ERROR "the installed terrane-bake wrote no terrain_5.raw")
+endif()
+
 # A program that is linked with Coin only finds the installed node by its name in a file.
 file(WRITE ${SCRATCH}/terrain.iv "#Inventor V2.1 ascii\nTeStaticTerrain { seed 7 }\n")
 set(ENV{LD_LIBRARY_PATH} ${SCRATCH}/prefix/${LIBDIR})
