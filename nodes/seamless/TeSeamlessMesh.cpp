@@ -39,8 +39,12 @@ public:
   }
 
 private:
-  std::int32_t column(int x) const { return m_column + ((x << m_cellsLog) >> m_layout.maxResolutionLog()); }
-  std::int32_t row(int y) const { return m_row + ((y << m_cellsLog) >> m_layout.maxResolutionLog()); }
+  /// From the patch's corner.
+  std::int32_t samples(int place) const {
+    return std::int32_t((std::int64_t(place) << m_cellsLog) >> m_layout.maxResolutionLog());
+  }
+  std::int32_t column(int x) const { return m_column + samples(x); }
+  std::int32_t row(int y) const { return m_row + samples(y); }
   float at(int x, int y) const { return m_heights.height(column(x), row(y), m_heightLevel); }
 
   const TeSeamlessLayout& m_layout;

@@ -23,7 +23,8 @@ int stepOf(int chain) {
 }
 
 ivec2 sampleAt(ivec2 place) {
-  return patchInstance.xy + ((place << (patchInstance.z & 255)) >> patchLog);
+  int finer = (patchInstance.z & 255) - patchLog;
+  return patchInstance.xy + ((place << max(finer, 0)) >> max(-finer, 0));
 }
 )";
 
