@@ -14,9 +14,10 @@
 class SeamlessRenderTest : public TeRenderTest {
 protected:
   /// Before the scene: the drawing is freed in its context.
-  std::unique_ptr<SeamlessScene> hills(TeSeamlessTechnique::Colours colours = TeSeamlessTechnique::Slope) {
+  std::unique_ptr<SeamlessScene> hills(TeSeamlessTechnique::Colours colours = TeSeamlessTechnique::Slope,
+                                       bool wholePatches = false) {
     const TeSeamlessLayout layout = seamlessLayout(128, 4, 3);
-    auto scene = std::make_unique<SeamlessScene>(layout, 1);
+    auto scene = std::make_unique<SeamlessScene>(layout, 1, wholePatches);
     scene->look.technique = {TeSeamlessTechnique::Heightmap, colours, true};
     scene->look.heights = hillyMap(128, 12);
     scene->look.slopes = TeSeamlessSlopeColours::forHeights(-14, 14);

@@ -74,22 +74,24 @@ TEST_F(TeSeamlessRendererTest, DrawsAHeightMapWithoutHoles) {
 
 // generatePrimitives, picking and error measuring see TeSeamlessMesh: it must be what is drawn.
 TEST_F(TeSeamlessRendererTest, DrawsTheTrianglesOfTheMeshBitForBit) {
-  for (const bool geomorph : {false, true}) {
-    const auto scene = hills();
-    scene->look.geomorph = geomorph;
-    scene->selectAround(3, geomorph);
-    scene->captures = true;
-    show(*scene);
-    EXPECT_GT(scene->captured.size(), 3000u);
-    int moved = 0;
-    for (const TeSeamlessRenderer::DrawnVertex& vertex : scene->captured)
-      moved += vertex.height != scene->look.heights->at(vertex.column, vertex.row);
-    EXPECT_EQ(moved > 100, geomorph);
-    EXPECT_EQ(drawnTriangles(scene->captured),
-              meshTriangles(*scene, SeamlessMapHeights(scene->look.heights)));
-    for (const TeSeamlessRenderer::DrawnVertex& vertex : scene->captured)
-      ASSERT_EQ(vertex.relative, scene->drawnFrame->relative(vertex.column, vertex.row, vertex.height));
-  }
+  for (const bool wholePatches : {false, true})
+    for (const bool geomorph : {false, true}) {
+      const auto scene = hills(TeSeamlessTechnique::Slope, wholePatches);
+      EXPECT_EQ(scene->parts->hasWholePatches(), wholePatches);
+      scene->look.geomorph = geomorph;
+      scene->selectAround(3, geomorph);
+      scene->captures = true;
+      show(*scene);
+      EXPECT_GT(scene->captured.size(), 3000u);
+      int moved = 0;
+      for (const TeSeamlessRenderer::DrawnVertex& vertex : scene->captured)
+        moved += vertex.height != scene->look.heights->at(vertex.column, vertex.row);
+      EXPECT_EQ(moved > 100, geomorph);
+      EXPECT_EQ(drawnTriangles(scene->captured),
+                meshTriangles(*scene, SeamlessMapHeights(scene->look.heights)));
+      for (const TeSeamlessRenderer::DrawnVertex& vertex : scene->captured)
+        ASSERT_EQ(vertex.relative, scene->drawnFrame->relative(vertex.column, vertex.row, vertex.height));
+    }
 }
 
 TEST_F(TeSeamlessRendererTest, DrawsTheLargestPatchOfTheLargestTerrain) {
@@ -107,10 +109,12 @@ TEST_F(TeSeamlessRendererTest, DrawsTheLargestPatchOfTheLargestTerrain) {
 TEST_F(TeSeamlessRendererTest, DrawsTheClipmapsHeightsInEveryFormatBitForBit) {
   const auto map = hillyMap(256, 9000, 20000);
   for (const TeClipFormat format : {TeClipFormat::Short, TeClipFormat::Half, TeClipFormat::Float})
-    for (const bool geomorph : {false, true}) {
+    for (const int way : {0, 1, 2, 3}) {
+      const bool geomorph = way & 1;
+      const bool wholePatches = way & 2;
       SeamlessPyramid pyramid(*map, 33, format);
       pyramid.update(context().id(), {110, 150});
-      SeamlessScene scene(seamlessLayout(256, 4, 3), 1);
+      SeamlessScene scene(seamlessLayout(256, 4, 3), 1, wholePatches);
       scene.placement.heightScale = 1e-3;
       scene.look.technique = {TeSeamlessTechnique::Clipmaps, TeSeamlessTechnique::Slope, true};
       scene.look.geomorph = geomorph;
@@ -125,6 +129,20 @@ TEST_F(TeSeamlessRendererTest, DrawsTheClipmapsHeightsInEveryFormatBitForBit) {
       ASSERT_TRUE(context().makeCurrent());
       pyramid.free();
     }
+}
+
+TEST_F(TeSeamlessRendererTest, WholePatchesAreThePictureOfTheirPartsInFewerInstances) {
+  const auto parts = hills();
+  const auto patches = hills(TeSeamlessTechnique::Slope, true);
+  for (const bool instanced : {true, false}) {
+    for (const auto& scene : {parts.get(), patches.get()}) {
+      scene->selectAround(3, false);
+      scene->look.technique.instanced = instanced;
+    }
+    EXPECT_EQ(show(*parts), show(*patches));
+    EXPECT_EQ(parts->counts.triangles, patches->counts.triangles);
+    EXPECT_EQ(parts->counts.instances, 8 * patches->counts.instances);
+  }
 }
 
 // The document's combinations and those with colours by height and slope.

@@ -91,8 +91,8 @@ inline glm::dmat4 doubles(const SbMatrix& matrix) {
 
 /// A terrain in a Coin scene, drawn by what Coin's state says.
 struct SeamlessScene {
-  SeamlessScene(const TeSeamlessLayout& sizes, int level)
-      : layout(sizes), parts(std::make_shared<TeSeamlessParts>(sizes)),
+  SeamlessScene(const TeSeamlessLayout& sizes, int level, bool wholePatches = false)
+      : layout(sizes), parts(std::make_shared<TeSeamlessParts>(sizes, wholePatches)),
         drawing(std::make_unique<TeSeamlessDrawing>(sizes, parts)) {
     select(selectLevel(layout, level));
     placement.corner = {-0.5 * layout.resolution(), -0.5 * layout.resolution(), 0};

@@ -176,7 +176,7 @@ class Scene {
 public:
   Scene(std::int64_t wantedTriangles, TeSeamlessTechnique::Heights heights, bool lit)
       : m_layout(*TeSeamlessLayout::create(kResolution, 16, 3)),
-        m_parts(std::make_shared<TeSeamlessParts>(m_layout)), m_drawing(m_layout, m_parts),
+        m_parts(std::make_shared<TeSeamlessParts>(m_layout, true)), m_drawing(m_layout, m_parts),
         m_root(new SoSeparator) {
     m_look.technique = {heights, TeSeamlessTechnique::Color, true};
     m_look.heights = hills();
