@@ -47,6 +47,7 @@ SoTeSeamlessPatches::SoTeSeamlessPatches() {
   SO_NODE_ADD_FIELD(maxPatches, (20000));
   SO_NODE_ADD_FIELD(geomorph, (FALSE));
   SO_NODE_ADD_FIELD(instancing, (TRUE));
+  SO_NODE_ADD_FIELD(wholePatches, (TRUE));
   SO_NODE_ADD_FIELD(wireframe, (FALSE));
   SO_NODE_DEFINE_ENUM_VALUE(HeightSource, FLAT);
   SO_NODE_DEFINE_ENUM_VALUE(HeightSource, HEIGHTMAP);
@@ -164,6 +165,8 @@ TeStatus SoTeSeamlessPatches::build() {
   if (!look)
     return look.error();
   scene.look = std::move(*look);
+  // Only tiles and strips have colours of their own.
+  scene.wholePatches = wholePatches.getValue() && coloring.getValue() != PLAIN;
   if (scene.accuracy.pixelError > 0 && !scene.content.boundsError.empty())
     return TeError{"pixelError needs the errors of the heights, which terrane-bake measures: " +
                    scene.content.boundsError};

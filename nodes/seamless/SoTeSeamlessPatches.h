@@ -54,6 +54,7 @@
 ///       maxPatches          20000
 ///       geomorph            FALSE
 ///       instancing          TRUE
+///       wholePatches        TRUE
 ///       wireframe           FALSE
 ///       heightSource        FLAT
 ///       heightFile          ""
@@ -105,7 +106,10 @@ public:
   SoSFFloat pixelError;         ///< pixels; 0: precision is used
   SoSFInt32 maxPatches;         ///< that are drawn in a frame; the accuracy is lowered to keep it
   SoSFBool geomorph;            ///< resolutions change smoothly
-  SoSFBool instancing;          ///< a draw call for each list of equal parts, not for each part
+  SoSFBool instancing;          ///< a draw call for each list of equal shapes, not for each one
+  /// Shapes are patches with one combination of resolutions, which makes few lists; FALSE: the document's
+  /// tiles and strips, as is always so with coloring PLAIN and where combinations are too many.
+  SoSFBool wholePatches;
   SoSFBool wireframe;
   SoSFEnum heightSource;
   SoSFString heightFile;   ///< TeSeamlessHeightFile; relative: beside the scene's file

@@ -4,8 +4,8 @@
 
 namespace {
 
-/// Patches from first to last of which each has itself and one more on both sides within the samples
-/// low .. high, with `size` samples a patch; beyond the terrain's rim none is needed.
+/// Patches from first to last of which each has itself, one more on both sides and one sample beyond within
+/// the samples low .. high, with `size` samples a patch; beyond the terrain's rim none is needed.
 void spanInside(std::int32_t low, std::int32_t high, std::int32_t size, std::int32_t count,
                 std::int32_t& first, std::int32_t& last) {
   if (high < low) { // nothing is inside
@@ -13,8 +13,8 @@ void spanInside(std::int32_t low, std::int32_t high, std::int32_t size, std::int
     last = -1;
     return;
   }
-  first = low <= 0 ? 0 : (low + size - 1) / size + 1;
-  last = high >= size * count ? count - 1 : high / size - 2;
+  first = low <= 0 ? 0 : (low + 1 + size - 1) / size + 1;
+  last = high >= size * count ? count - 1 : (high - 1) / size - 2;
 }
 
 /// Likewise of the children of parents parentFirst .. parentLast.
@@ -81,8 +81,11 @@ int TeDivisionLimits::topIndex(const TeSideKey& side) const {
   for (int index = 1; index <= top; index++) {
     const int spacingLog = m_layout.spacingLog(side.level, index);
     const int log = m_layout.cellsLog(side.level) - spacingLog;
-    if (!m_residency->holds(m_layout.resolutionLog() - spacingLog, x0 << log, y0 << log, (x1 + 1) << log,
-                            (y1 + 1) << log))
+    const std::int32_t end = m_layout.resolution() >> spacingLog;
+    // And the samples next to them, for normals.
+    if (!m_residency->holds(m_layout.resolutionLog() - spacingLog, std::max(0, (x0 << log) - 1),
+                            std::max(0, (y0 << log) - 1), std::min(end, ((x1 + 1) << log) + 1),
+                            std::min(end, ((y1 + 1) << log) + 1)))
       return index - 1;
   }
   return top;

@@ -11,7 +11,8 @@
 ///
 /// A patch may be divided if the heights of its children, and those around it at the same spacing, are
 /// resident, and all patches around it exist or may come to exist. A side has the highest resolution whose
-/// heights are resident for both of its patches; it is 0 where one of the two cannot exist.
+/// heights are resident for both of its patches and one sample around them (for normals that are the same on
+/// both); it is 0 where one of the two cannot exist.
 class TeDivisionLimits {
 public:
   /// `residency` null: no limits.

@@ -52,15 +52,18 @@ TeLodView TeSeamlessChoice::held(const TeSeamlessTerrainPtr& terrain, const TeLo
   return held;
 }
 
-bool TeSeamlessChoice::update(const TeSeamlessTerrainPtr& terrain, const TeLodView& view,
+bool TeSeamlessChoice::update(const TeSeamlessTerrainPtr& terrain,
+                              const std::shared_ptr<const TeSeamlessParts>& parts, const TeLodView& view,
                               const TeSeamlessPlacement& placement, const TeSeamlessAccuracy& accuracy,
                               const TeClipResidency* residency) {
   const TeLodView held = this->held(terrain, view, placement, accuracy);
-  if (hasGround(terrain, placement) && isSame(m_view, held) && isSame(m_accuracy, accuracy) &&
-      m_isLimited == (residency != nullptr) && (!residency || isSame(m_residency, *residency)))
+  if (hasGround(terrain, placement) && m_parts == parts && isSame(m_view, held) &&
+      isSame(m_accuracy, accuracy) && m_isLimited == (residency != nullptr) &&
+      (!residency || isSame(m_residency, *residency)))
     return false;
 
   m_terrain = terrain;
+  m_parts = parts;
   m_view = held;
   m_placement = placement;
   m_accuracy = accuracy;
@@ -69,7 +72,7 @@ bool TeSeamlessChoice::update(const TeSeamlessTerrainPtr& terrain, const TeLodVi
     m_residency = *residency;
   const double start = teThreadCpuSeconds();
   terrain->selector.select(held, placement, accuracy, residency, m_selection);
-  m_lists.build(m_selection, terrain->layout, *terrain->parts);
+  m_lists.build(m_selection, terrain->layout, *parts);
   m_seconds = teThreadCpuSeconds() - start;
   m_selections++;
   return true;

@@ -22,8 +22,9 @@ public:
                  const TeSeamlessPlacement& placement, const TeSeamlessAccuracy& accuracy) const;
 
   /// True if the selection and the lists have been made anew; false if all that was given is as before.
-  bool update(const TeSeamlessTerrainPtr& terrain, const TeLodView& view,
-              const TeSeamlessPlacement& placement, const TeSeamlessAccuracy& accuracy,
+  /// `parts`: the terrain's, with or without whole patches.
+  bool update(const TeSeamlessTerrainPtr& terrain, const std::shared_ptr<const TeSeamlessParts>& parts,
+              const TeLodView& view, const TeSeamlessPlacement& placement, const TeSeamlessAccuracy& accuracy,
               const TeClipResidency* residency);
 
   const TeSeamlessSelection& selection() const { return m_selection; }
@@ -38,6 +39,7 @@ private:
   bool hasGround(const TeSeamlessTerrainPtr& terrain, const TeSeamlessPlacement& placement) const;
 
   TeSeamlessTerrainPtr m_terrain;
+  std::shared_ptr<const TeSeamlessParts> m_parts;
   TeLodView m_view;
   TeSeamlessPlacement m_placement;
   TeSeamlessAccuracy m_accuracy;

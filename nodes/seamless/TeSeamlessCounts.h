@@ -6,6 +6,6 @@
 struct TeSeamlessCounts {
   std::int64_t drawCalls = 0;
   std::int64_t triangles = 0;
-  std::int64_t instances = 0; ///< parts of patches
+  std::int64_t instances = 0; ///< whole patches, or parts of them
   std::int64_t bytesUploaded = 0;
 };

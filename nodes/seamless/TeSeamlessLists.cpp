@@ -1,7 +1,5 @@
 #include "nodes/seamless/TeSeamlessLists.h"
 
-#include <algorithm>
-
 namespace {
 
 /// Calls give(list, instance) for each list that a patch belongs to.
@@ -17,20 +15,15 @@ public:
   template <class Give> void forEach(const TeSeamlessPatch& patch, const Give& give) const {
     const int levels = m_layout.levels();
     TeSeamlessInstance instance;
-    const int cellsLog = m_layout.cellsLog(patch.level);
-    instance.column = patch.x << cellsLog;
-    instance.row = patch.y << cellsLog;
+    instance.cellsLog = m_layout.cellsLog(patch.level);
+    instance.column = patch.x << instance.cellsLog;
+    instance.row = patch.y << instance.cellsLog;
     std::array<int, 4> indices{};
     for (std::size_t side = 0; side < 4; side++) {
       indices[side] = teDetailResolution(patch.detail[side]);
       instance.weights |= std::uint32_t(teDetailWeight(patch.detail[side])) << (8 * side);
     }
-    const auto place = [&](int index) {
-      const int heightLevel = m_layout.resolutionLog() - m_layout.spacingLog(patch.level, index);
-      return std::uint32_t(cellsLog | heightLevel << 8);
-    };
     if (m_whole) {
-      instance.place = place(*std::max_element(indices.begin(), indices.end()));
       std::size_t list = 0;
       for (const int index : indices)
         list = list * std::size_t(levels) + std::size_t(index);
@@ -39,9 +32,7 @@ public:
     }
     for (int side = 0; side < 4; side++) {
       const int a = indices[std::size_t(side)], b = indices[std::size_t((side + 1) % 4)];
-      instance.place = place(a);
       give(std::size_t(side * levels + a), instance);
-      instance.place = place(std::max(a, b));
       give(std::size_t((4 + side * levels + a) * levels + b), instance);
     }
   }

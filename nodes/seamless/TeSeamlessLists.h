@@ -11,13 +11,9 @@
 struct TeSeamlessInstance {
   std::int32_t column = 0; ///< south-west corner of the patch, in samples
   std::int32_t row = 0;
-  /// Bits 0-7: the patch has 2^n samples' distances a side. Bits 8-15: the level of the height pyramid that
-  /// has all of its vertices.
-  std::uint32_t place = 0;
+  std::int32_t cellsLog = 0; ///< the patch has 2^cellsLog samples' distances a side
   std::uint32_t weights = 0; ///< morph weights·255, 8 bits a side (TeSide, the lowest first)
 
-  int cellsLog() const { return int(place & 255); }
-  int heightLevel() const { return int(place >> 8 & 255); }
   int weight(int side) const { return int(weights >> (8 * side) & 255); }
 };
 

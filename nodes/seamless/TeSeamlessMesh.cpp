@@ -14,12 +14,13 @@ public:
       m_details[side] = patch.detail[side];
       m_details[TePartVertex::kDiagonal + side] = std::max(patch.detail[side], patch.detail[(side + 1) % 4]);
     }
-    const float finest = *std::max_element(patch.detail.begin(), patch.detail.end());
-    m_heightLevel = layout.resolutionLog() - layout.spacingLog(patch.level, teDetailResolution(finest));
+    for (std::size_t chain = 0; chain < 8; chain++)
+      m_heightLevels[chain] =
+          layout.resolutionLog() - layout.spacingLog(patch.level, teDetailResolution(m_details[chain]));
   }
 
   TeSeamlessMesh::Vertex vertex(const TePartVertex& vertex) const {
-    TeSeamlessMesh::Vertex result{column(vertex.x), row(vertex.y), at(vertex.x, vertex.y)};
+    TeSeamlessMesh::Vertex result{column(vertex.x), row(vertex.y), at(vertex.x, vertex.y, vertex.chain)};
     const float detail = m_details[vertex.chain];
     const std::uint8_t weight = teDetailWeight(detail);
     if (weight == 255)
@@ -33,7 +34,8 @@ public:
     // The cells' diagonals point to the centre of the patch.
     if ((vertex.x < half) != (vertex.y < half))
       dy = -dy;
-    const float middle = 0.5f * (at(vertex.x - dx, vertex.y - dy) + at(vertex.x + dx, vertex.y + dy));
+    const float middle = 0.5f * (at(vertex.x - dx, vertex.y - dy, vertex.chain) +
+                                 at(vertex.x + dx, vertex.y + dy, vertex.chain));
     result.height = middle + float(weight) * (1.0f / 255.0f) * (result.height - middle);
     return result;
   }
@@ -45,7 +47,9 @@ private:
   }
   std::int32_t column(int x) const { return m_column + samples(x); }
   std::int32_t row(int y) const { return m_row + samples(y); }
-  float at(int x, int y) const { return m_heights.height(column(x), row(y), m_heightLevel); }
+  float at(int x, int y, std::uint16_t chain) const {
+    return m_heights.height(column(x), row(y), m_heightLevels[chain]);
+  }
 
   const TeSeamlessLayout& m_layout;
   const TeSeamlessHeights& m_heights;
@@ -53,7 +57,7 @@ private:
   std::int32_t m_column;
   std::int32_t m_row;
   float m_details[8]; ///< by TePartVertex::chain
-  int m_heightLevel = 0;
+  int m_heightLevels[8];
 };
 
 void appendPart(const TePart& part, bool strip, const TeSeamlessParts& parts, const PatchHeights& heights,

@@ -94,7 +94,7 @@ void TeSeamlessPrograms::locate(TeSeamlessProgram& program) const {
   program.viewFromRelative = find("viewFromRelative");
   program.viewFromNormal = find("viewFromNormal");
   program.patchLog = find("patchLog");
-  program.sideStep = find("sideStep");
+  program.sideStepLog = find("sideStepLog");
   program.terrainFromSample = find("terrainFromSample");
   program.material = find("material");
   program.clipWindows = find("clipWindows");

@@ -11,7 +11,7 @@ struct TeSeamlessProgram {
   GLuint name = 0;
   GLint eyeSample = -1, eyeFraction = -1, spacing = -1, heightToZ = -1;
   GLint clipFromRelative = -1, viewFromRelative = -1, viewFromNormal = -1;
-  GLint patchLog = -1, sideStep = -1, terrainFromSample = -1, material = -1;
+  GLint patchLog = -1, sideStepLog = -1, terrainFromSample = -1, material = -1;
   GLint clipWindows = -1, clip = -1, heightUnit = -1, slopeScale = -1, slopeUnit = -1;
   GLint colourWindows = -1, colourClip = -1, detailScale = -1, groundLayers = -1, groundBlend = -1;
 };

@@ -205,10 +205,9 @@ TeSeamlessCounts TeSeamlessRenderer::drawLists(const TeSeamlessLists& lists, con
 
 void TeSeamlessRenderer::setDraw(const TeSeamlessDraw& draw, const TeSeamlessLook& look,
                                  const Setup& setup) const {
-  const auto step = [&](int side) {
-    return m_layout.maxResolution() / m_layout.resolutionOf(draw.indices[std::size_t(side)]);
-  };
-  m_gl.uniform4i(setup.program->sideStep, step(TeNorth), step(TeEast), step(TeSouth), step(TeWest));
+  const auto stepLog = [&](int side) { return m_layout.levels() - 1 - draw.indices[std::size_t(side)]; };
+  m_gl.uniform4i(setup.program->sideStepLog, stepLog(TeNorth), stepLog(TeEast), stepLog(TeSouth),
+                 stepLog(TeWest));
   glm::vec4 material = setup.material;
   if (look.technique.colours == TeSeamlessTechnique::Color)
     material *= glm::vec4(draw.kind == TeSeamlessDraw::Strip ? look.stripColour : look.tileColour, 1);
@@ -238,7 +237,7 @@ void TeSeamlessRenderer::drawEach(const TeSeamlessDraw& draw,
   for (std::int32_t i = draw.firstInstance; i < draw.firstInstance + draw.instanceCount; i++) {
     const TeSeamlessInstance& instance = instances[std::size_t(i)];
     m_gl.vertexAttribI4i(TeSeamlessShader::kInstanceAttribute, instance.column, instance.row,
-                         GLint(instance.place), GLint(instance.weights));
+                         instance.cellsLog, GLint(instance.weights));
     m_gl.drawElementsBaseVertex(GL_TRIANGLES, draw.part.count, GL_UNSIGNED_SHORT, indexOffset(draw),
                                 draw.part.firstVertex);
   }

@@ -15,6 +15,7 @@ struct TeSeamlessScene {
   TeSeamlessPlacement placement;
   TeSeamlessAccuracy accuracy; ///< before SoComplexity
   TeSeamlessLook look;
+  bool wholePatches = false;                   ///< drawn at once, not by tiles and strips
   TeNodePtr<SoTeClipmap> colours;              ///< in place of the look's texture; null: none
   std::shared_ptr<TePyramidTiles> colourTiles; ///< that `colours` had
   TeNodePtr<SoCamera> lodCamera;               ///< null: the one that draws

@@ -2,6 +2,12 @@
 
 #include <utility>
 
+const std::shared_ptr<const TeSeamlessParts>& TeSeamlessTerrain::wholePatches() const {
+  std::call_once(m_wholePatchesOnce,
+                 [this] { m_wholePatches = std::make_shared<const TeSeamlessParts>(layout, true); });
+  return m_wholePatches;
+}
+
 TeSeamlessTerrainPtr TeSeamlessTerrain::flat(const TeSeamlessLayout& layout) {
   return TeSeamlessTerrainPtr(new TeSeamlessTerrain(layout, nullptr));
 }

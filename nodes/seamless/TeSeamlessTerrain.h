@@ -4,6 +4,7 @@
 #include "nodes/seamless/TeSeamlessSelector.h"
 
 #include <memory>
+#include <mutex>
 
 /// What Seamless Patches draw, as far as it does not depend on where it lies or who looks at it. Immutable,
 /// thread-safe.
@@ -15,6 +16,9 @@ struct TeSeamlessTerrain {
   std::shared_ptr<const TeHeightMap> map;
   /// Of all samples.
   TeHeightRange range;
+
+  /// The parts with whole patches, made when first asked for; without these if they do not fit.
+  const std::shared_ptr<const TeSeamlessParts>& wholePatches() const;
 
   /// All heights 0.
   static std::shared_ptr<const TeSeamlessTerrain> flat(const TeSeamlessLayout& layout);
@@ -29,6 +33,9 @@ private:
   TeSeamlessTerrain(const TeSeamlessLayout& layout, std::shared_ptr<const TeSeamlessBounds> bounds)
       : layout(layout), parts(std::make_shared<const TeSeamlessParts>(layout)),
         selector(layout, std::move(bounds)) {}
+
+  mutable std::once_flag m_wholePatchesOnce;
+  mutable std::shared_ptr<const TeSeamlessParts> m_wholePatches;
 };
 
 using TeSeamlessTerrainPtr = std::shared_ptr<const TeSeamlessTerrain>;

@@ -4,7 +4,7 @@ namespace {
 
 constexpr const char* kVertexInput = R"(
 layout(location = 0) in uvec3 vertexPlace; // x, y of the part's patch; chain
-layout(location = 6) in ivec4 patchInstance; // south-west sample; place and level; weights
+layout(location = 6) in ivec4 patchInstance; // south-west sample; log2 of its cells; weights
 
 uniform ivec2 eyeSample;
 uniform vec2 eyeFraction;
@@ -14,16 +14,16 @@ uniform mat4 clipFromRelative;
 uniform mat3 viewFromRelative;
 uniform mat3 viewFromNormal;
 uniform int patchLog;   // of the highest resolution of a patch
-uniform ivec4 sideStep; // distance of vertices by side
+uniform ivec4 sideStepLog; // log2 of the distance of vertices by side
 uniform float terrainFromSample;
 
 // A chain of vertices has that of its side, or on a diagonal the shorter one of two sides.
-int stepOf(int chain) {
-  return chain < 4 ? sideStep[chain] : min(sideStep[chain - 4], sideStep[(chain - 3) & 3]);
+int stepLogOf(int chain) {
+  return chain < 4 ? sideStepLog[chain] : min(sideStepLog[chain - 4], sideStepLog[(chain - 3) & 3]);
 }
 
 ivec2 sampleAt(ivec2 place) {
-  int finer = (patchInstance.z & 255) - patchLog;
+  int finer = patchInstance.z - patchLog;
   return patchInstance.xy + ((place << max(finer, 0)) >> max(-finer, 0));
 }
 )";
@@ -69,12 +69,12 @@ float morphed(float own, ivec2 place, int chain) {
   int weight = sideWeight(first);
   if (chain >= 4) {
     int second = (first + 1) & 3;
-    if (sideStep[first] > sideStep[second])
+    if (sideStepLog[first] > sideStepLog[second])
       weight = sideWeight(second);
-    else if (sideStep[first] == sideStep[second])
+    else if (sideStepLog[first] == sideStepLog[second])
       weight = max(weight, sideWeight(second));
   }
-  ivec2 odd = place & stepOf(chain);
+  ivec2 odd = place & (1 << stepLogOf(chain));
   if (weight == 255 || odd == ivec2(0))
     return own;
   int middle = 1 << (patchLog - 1);
@@ -184,7 +184,8 @@ void main() {
   uvec2 texel = texelFetch(heights, own, 0).rg;
   height = uintBitsToFloat(texel.r);
 #elif defined(HEIGHT_CLIPMAP)
-  clipLayer = clamp(((patchInstance.z >> 8) & 255) - clip.y, 0, clip.z);
+  int spacingLog = stepLogOf(chain) + patchInstance.z - patchLog;
+  clipLayer = clamp(clip.w - spacingLog - clip.y, 0, clip.z);
   clipShift = clip.w - clip.y - clipLayer;
   ivec2 texel = own >> clipShift;
   height = texelAt(texel);
@@ -203,7 +204,7 @@ void main() {
 #if defined(HEIGHT_MAP)
   slope = vec2(ivec2(texel.g << 16, texel.g) >> 16) * slopeUnit;
 #elif defined(HEIGHT_CLIPMAP)
-  int reach = max(((stepOf(chain) << (patchInstance.z & 255)) >> patchLog) >> clipShift, 1);
+  int reach = max((1 << spacingLog) >> clipShift, 1);
   ivec2 low = clipWindows[2 * clipLayer].xy;
   ivec2 high = low + clipWindows[2 * clipLayer + 1].x - 1;
   ivec2 before = max(texel - reach, low);

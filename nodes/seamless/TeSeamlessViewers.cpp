@@ -95,15 +95,18 @@ void TeSeamlessViewers::setScene(TeSeamlessScene scene) {
   if (scene.content.terrain != m_scene.content.terrain || scene.colours.get() != m_scene.colours.get() ||
       scene.colourTiles != m_scene.colourTiles)
     releaseAll();
-  if (scene.content.terrain != m_scene.content.terrain)
-    m_drawing =
-        std::make_unique<TeSeamlessDrawing>(scene.content.terrain->layout, scene.content.terrain->parts);
+  const TeSeamlessTerrain& terrain = *scene.content.terrain;
+  const auto& parts = scene.wholePatches ? terrain.wholePatches() : terrain.parts;
+  if (parts != m_parts)
+    m_drawing = std::make_unique<TeSeamlessDrawing>(terrain.layout, parts);
+  m_parts = parts;
   m_scene = std::move(scene);
 }
 
 void TeSeamlessViewers::clear() {
   releaseAll();
   m_drawing.reset();
+  m_parts.reset();
   m_scene = {};
   m_statistics = {};
   m_isWaiting = false;
@@ -183,7 +186,7 @@ TeStatus TeSeamlessViewers::draw(SoGLRenderAction* action) {
     return status;
   if (TeStatus status = viewer.upload(); !status)
     return status;
-  viewer.choice.update(m_scene.content.terrain, *seen, m_scene.placement, accuracy(state),
+  viewer.choice.update(m_scene.content.terrain, m_parts, *seen, m_scene.placement, accuracy(state),
                        viewer.residency());
   const glm::dmat4 fromModel =
       toGlm(SoViewingMatrixElement::get(state)) * toGlm(SoModelMatrixElement::get(state));

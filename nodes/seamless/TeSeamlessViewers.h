@@ -68,6 +68,7 @@ private:
   void count(const TeSeamlessViewer& viewer, const TeSeamlessCounts& drawn);
 
   TeSeamlessScene m_scene;
+  std::shared_ptr<const TeSeamlessParts> m_parts; ///< that are drawn
   std::unique_ptr<TeSeamlessDrawing> m_drawing;
   std::map<Key, TeSeamlessViewer> m_viewers;
   TeSeamlessViewer m_unseen; ///< of actions before anything was drawn

@@ -126,6 +126,30 @@ TEST_F(SoTeSeamlessPatchesTest, ClassicAndInstancedAreTheSamePicture) {
   }
 }
 
+TEST_F(SoTeSeamlessPatchesTest, WholePatchesAreTheSamePictureWithFewerCalls) {
+  const HillsPyramid pyramid(256);
+  for (const auto& node : {hillsNode(), pyramid.node(129)}) {
+    node->coloring = SoTeSeamlessPatches::HEIGHT;
+    const auto scene = overview(node.get());
+    for (const bool geomorph : {false, true}) {
+      node->geomorph = geomorph;
+      for (const bool instanced : {true, false}) {
+        node->instancing = instanced;
+        node->wholePatches = TRUE;
+        TePicture whole, parts;
+        settle(scene.get(), whole);
+        const TeSeamlessStatistics before = node->statistics();
+        node->wholePatches = FALSE;
+        settle(scene.get(), parts);
+        // Four strips share the centre of a patch, whose normal in a clipmap follows their resolutions.
+        EXPECT_LE(comparePixels(whole, parts).pixels, 20);
+        EXPECT_EQ(node->statistics().faces, before.faces);
+        EXPECT_GT(node->statistics().drawCalls, before.drawCalls);
+      }
+    }
+  }
+}
+
 TEST_F(SoTeSeamlessPatchesTest, CountsWhatItDraws) {
   const auto node = hillsNode();
   const auto scene = overview(node.get());

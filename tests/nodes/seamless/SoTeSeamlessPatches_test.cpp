@@ -153,6 +153,7 @@ TEST(SoTeSeamlessPatches, DefaultsAreThoseOfTheDocument) {
   EXPECT_EQ(terrain->levels.getValue(), 3);
   EXPECT_EQ(terrain->precision.getValue(), 2);
   EXPECT_TRUE(terrain->instancing.getValue());
+  EXPECT_TRUE(terrain->wholePatches.getValue());
   EXPECT_EQ(terrain->getError(), "");
   EXPECT_GT(triangles(root.get()), 1000);
   EXPECT_EQ(boxOf(root.get()), SbBox3f(-128, -128, 0, 128, 128, 0));
@@ -302,7 +303,8 @@ TEST(SoTeSeamlessPatches, LiesWhereCenterAndOriginSay) {
 TEST(SoTeSeamlessPatches, FieldsSurviveWritingAndReading) {
   const auto root = readScene(
       "TeSeamlessPatches { size 5000 5000 300 resolution 1024 minPatchResolution 8 levels 4 precision 3.5 "
-      "pixelError 1.25 maxPatches 77 geomorph TRUE instancing FALSE wireframe TRUE heightSource HEIGHTMAP "
+      "pixelError 1.25 maxPatches 77 geomorph TRUE instancing FALSE wholePatches FALSE wireframe TRUE "
+      "heightSource HEIGHTMAP "
       "heightFile \"a.raw\" verticalUnit \"0.1\" heights TeClipmap { name \"b\" } coloring HEIGHT "
       "tileColor 1 0 1 stripColor 0 1 0 texture \"t.png\" colors TeClipmap { kind COLOR } mask \"m.png\" "
       "detailTextures [ \"1\", \"2\", \"3\", \"4\" ] detailRepeat 9 groundColors [ 0 0 1, 0 1 0 ] "

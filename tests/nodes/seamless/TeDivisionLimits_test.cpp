@@ -39,7 +39,7 @@ TEST(TeDivisionLimits, aMissingLevelKeepsAllAboveItFromBeingDrawn) {
 
 TEST(TeDivisionLimits, patchesAreDividedWhereHeightsReachBeyondThem) {
   TeClipResidency residency = whole();
-  residency.windows[5] = {8, 8, 17};
+  residency.windows[5] = {7, 7, 19};
   const TeDivisionLimits limits(layout(), &residency);
   // Tree level 2 has 8 cells of height level 5 a patch: patches 1 and 2 are resident in each direction, and
   // none of them has all its neighbours.
@@ -48,7 +48,7 @@ TEST(TeDivisionLimits, patchesAreDividedWhereHeightsReachBeyondThem) {
   EXPECT_EQ(limits.topIndex({2, false, 2, 1}), 1) << "both patches at the side are resident";
   EXPECT_EQ(limits.topIndex({2, false, 1, 1}), 0) << "the western one is not";
 
-  residency.windows[5] = {0, 0, 25};
+  residency.windows[5] = {0, 0, 26};
   const TeDivisionLimits wider(layout(), &residency);
   EXPECT_TRUE(wider.mayDivide(2, 0, 1)) << "at the rim of the terrain";
   EXPECT_TRUE(wider.mayDivide(2, 1, 1));
@@ -58,7 +58,7 @@ TEST(TeDivisionLimits, patchesAreDividedWhereHeightsReachBeyondThem) {
 
 TEST(TeDivisionLimits, childrenOfTheOutermostPatchesStayWhole) {
   TeClipResidency residency = whole();
-  residency.windows[4] = {0, 0, 13};
+  residency.windows[4] = {0, 0, 14};
   const TeDivisionLimits limits(layout(), &residency);
   // Tree level 1, 8 cells of height level 4 a patch: only (0, 0) is resident, without its neighbours.
   EXPECT_FALSE(limits.mayDivide(1, 0, 0));
