@@ -23,6 +23,11 @@ TeResult<TeInstancingTerrain> TeInstancingTerrain::ofMap(TeMeasuredTerrain map) 
 
 TeResult<TeInstancingTerrain> TeInstancingTerrain::ofPyramid(const std::string& name, double spacing,
                                                              double heightScale, int clipSize) {
+  // The node would warn of what is an error here.
+  if (const TeResult<TePyramidReader> reader =
+          TePyramidReader::open(name, 2, TeClipWindows::wholeLevel(clipSize));
+      !reader)
+    return reader.error();
   TeInstancingTerrain terrain;
   terrain.m_name = name;
   terrain.m_clipmap = TeNodePtr<SoTeClipmap>(new SoTeClipmap);

@@ -95,10 +95,70 @@ TEST_F(TerraneAccuracy, LodRepeatsButForTimes) {
   EXPECT_EQ(repeatable(contents(scratch("a/lod.json"))), repeatable(contents(scratch("b/lod.json"))));
 }
 
+TEST_F(TerraneAccuracy, LodDrawsBesidePlainOpenGl) {
+  const TeChildResult result =
+      run({"lod", "--map", hills(), "--layout", "4/2", "--px", "4", "--frames", "2", "--size", "64x48",
+           "--context", "osmesa", "--quiet", "--out", scratch("drawn")});
+  ASSERT_EQ(result.status, 0) << result.error;
+  EXPECT_EQ(result.output, "");
+  const nlohmann::json json = nlohmann::json::parse(contents(scratch("drawn/lod.json")));
+  EXPECT_GT(json["rows"][0]["frame_ms"], 0);
+  EXPECT_GT(json["rows"][0]["raw_frame_ms"], 0);
+  EXPECT_NEAR(json["rows"][0]["frame_ratio"].get<double>(),
+              json["rows"][0]["frame_ms"].get<double>() / json["rows"][0]["raw_frame_ms"].get<double>(),
+              1e-6);
+  EXPECT_FALSE(json["renderer"].get<std::string>().empty());
+}
+
+TEST_F(TerraneAccuracy, InstancingNeedsFarFewerCallsForTheSameTriangles) {
+  const TeChildResult result =
+      run({"instancing",    "--map",    hills(),    "--cells", "10",
+           "--height-unit", "0.01",     "--layout", "4/2",     "--precision",
+           "1,4",           "--frames", "3",        "--size",  "64x48",
+           "--context",     "osmesa",   "--quiet",  "--out",   scratch("instancing")});
+  ASSERT_EQ(result.status, 0) << result.error;
+  const nlohmann::json json = nlohmann::json::parse(contents(scratch("instancing/instancing.json")));
+  ASSERT_EQ(json["rows"].size(), 4u);
+  for (std::size_t i = 0; i < 4; i += 2) {
+    const nlohmann::json& instanced = json["rows"][i];
+    const nlohmann::json& classic = json["rows"][i + 1];
+    EXPECT_EQ(instanced["method"], "instanced");
+    EXPECT_EQ(classic["method"], "classic");
+    EXPECT_EQ(instanced["triangles"], classic["triangles"]);
+    EXPECT_GT(instanced["triangles"], 0);
+    EXPECT_LT(instanced["draw_calls"], classic["draw_calls"]);
+    EXPECT_GT(instanced["visited"], 1);
+    EXPECT_GT(instanced["frame_ms"], 0);
+    EXPECT_TRUE(instanced["document_draw_calls"].is_null()) << "only for the document's own resolution";
+  }
+  EXPECT_LT(json["rows"][0]["triangles"], json["rows"][2]["triangles"]);
+  EXPECT_EQ(lines(contents(scratch("instancing/instancing.csv"))).size(), 5u);
+}
+
+TEST_F(TerraneAccuracy, InstancingFliesOverAPyramid) {
+  // Levels 0 .. 9 of flat land: the whole of the lower ones and windows of 65 samples of the upper ones.
+  for (int level = 0; level <= 9; level++) {
+    const std::size_t side = (std::size_t(1) << level) + 1;
+    std::ofstream(scratch("land_" + std::to_string(level) + ".raw")) << std::string(2 * side * side, 'a');
+  }
+  const TeChildResult result =
+      run({"instancing", "--clipmaps", scratch("land"), "--clip-size", "65", "--layout", "4/2", "--precision",
+           "2", "--frames", "2", "--no-draw", "--quiet", "--out", scratch("land")});
+  ASSERT_EQ(result.status, 0) << result.error;
+  const nlohmann::json json = nlohmann::json::parse(contents(scratch("land/instancing.json")));
+  ASSERT_EQ(json["rows"].size(), 4u);
+  EXPECT_EQ(json["rows"][0]["resolution"], 512);
+  EXPECT_EQ(json["rows"][2]["resolution"], 128);
+  EXPECT_TRUE(json["rows"][0]["frame_ms"].is_null());
+  EXPECT_GT(json["rows"][0]["select_ms"], 0);
+  EXPECT_GT(json["rows"][0]["plain_ns_a_visited"], 0);
+}
+
 TEST_F(TerraneAccuracy, HelpNamesTheOptions) {
   const TeChildResult all = run({"--help"});
   EXPECT_EQ(all.status, 0);
   EXPECT_NE(all.output.find("lod"), std::string::npos);
+  EXPECT_NE(all.output.find("instancing"), std::string::npos);
   const TeChildResult lod = run({"lod", "--help"});
   EXPECT_EQ(lod.status, 0);
   for (const char* option : {"--map", "--cells", "--height-unit", "--dem", "--flyover", "--methods", "--px",
@@ -125,6 +185,12 @@ TEST_F(TerraneAccuracy, BadUsageIsRefused) {
   expectRefused({"lod", "--map", map, "--stride", "0"}, 2, "--stride");
   expectRefused({"lod", "--map", map, "--layout", "4/2", "--no-draw", "--out", "/dev/null/x"}, 1,
                 "/dev/null/x");
+  expectRefused({"instancing"}, 2, "--clipmaps");
+  expectRefused({"instancing", "--clipmaps", scratch("none")}, 2, "none");
+  expectRefused({"instancing", "--clipmaps", "x", "--map", map}, 2, "--map");
+  expectRefused({"instancing", "--map", map, "--layout", "16/99"}, 2, "99");
+  expectRefused({"instancing", "--map", map, "--precision", "0"}, 2, "--precision");
+  expectRefused({"instancing", "--map", map, "--clip-size", "513"}, 2, "--clip-size");
   const std::string odd = scratch("odd.raw");
   std::ofstream(odd) << "no square";
   expectRefused({"lod", "--map", odd}, 2, odd);
