@@ -59,7 +59,6 @@ bool TeSeamlessGl::load(const std::function<void*(const char*)>& procAddress) {
   need("glBindBuffer", bindBuffer);
   need("glBindBufferBase", bindBufferBase);
   need("glBufferData", bufferData);
-  need("glBufferSubData", bufferSubData);
   need("glGetBufferSubData", getBufferSubData);
   need("glGenVertexArrays", genVertexArrays);
   need("glDeleteVertexArrays", deleteVertexArrays);
@@ -68,7 +67,6 @@ bool TeSeamlessGl::load(const std::function<void*(const char*)>& procAddress) {
   need("glVertexAttribIPointer", vertexAttribIPointer);
   need("glVertexAttribDivisor", vertexAttribDivisor);
   need("glVertexAttribI4i", vertexAttribI4i);
-  need("glVertexAttribI4ui", vertexAttribI4ui);
   need("glVertexAttrib4fv", vertexAttrib4fv);
   need("glGetVertexAttribfv", getVertexAttribfv);
   need("glDrawElementsBaseVertex", drawElementsBaseVertex);
@@ -93,7 +91,6 @@ bool TeSeamlessGl::load(const std::function<void*(const char*)>& procAddress) {
   need("glUniform4iv", uniform4iv);
   need("glUniform1f", uniform1f);
   need("glUniform2f", uniform2f);
-  need("glUniform3f", uniform3f);
   need("glUniform4fv", uniform4fv);
   need("glUniformMatrix3fv", uniformMatrix3fv);
   need("glUniformMatrix4fv", uniformMatrix4fv);

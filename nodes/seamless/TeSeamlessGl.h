@@ -40,7 +40,6 @@ struct TeSeamlessGl {
   PFNGLBINDBUFFERPROC bindBuffer = nullptr;
   PFNGLBINDBUFFERBASEPROC bindBufferBase = nullptr;
   PFNGLBUFFERDATAPROC bufferData = nullptr;
-  PFNGLBUFFERSUBDATAPROC bufferSubData = nullptr;
   PFNGLGETBUFFERSUBDATAPROC getBufferSubData = nullptr;
   PFNGLGENVERTEXARRAYSPROC genVertexArrays = nullptr;
   PFNGLDELETEVERTEXARRAYSPROC deleteVertexArrays = nullptr;
@@ -49,7 +48,6 @@ struct TeSeamlessGl {
   PFNGLVERTEXATTRIBIPOINTERPROC vertexAttribIPointer = nullptr;
   PFNGLVERTEXATTRIBDIVISORPROC vertexAttribDivisor = nullptr;
   PFNGLVERTEXATTRIBI4IPROC vertexAttribI4i = nullptr;
-  PFNGLVERTEXATTRIBI4UIPROC vertexAttribI4ui = nullptr;
   PFNGLVERTEXATTRIB4FVPROC vertexAttrib4fv = nullptr;
   PFNGLGETVERTEXATTRIBFVPROC getVertexAttribfv = nullptr;
   PFNGLDRAWELEMENTSBASEVERTEXPROC drawElementsBaseVertex = nullptr;
@@ -74,7 +72,6 @@ struct TeSeamlessGl {
   PFNGLUNIFORM4IVPROC uniform4iv = nullptr;
   PFNGLUNIFORM1FPROC uniform1f = nullptr;
   PFNGLUNIFORM2FPROC uniform2f = nullptr;
-  PFNGLUNIFORM3FPROC uniform3f = nullptr;
   PFNGLUNIFORM4FVPROC uniform4fv = nullptr;
   PFNGLUNIFORMMATRIX3FVPROC uniformMatrix3fv = nullptr;
   PFNGLUNIFORMMATRIX4FVPROC uniformMatrix4fv = nullptr;

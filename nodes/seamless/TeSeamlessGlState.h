@@ -6,9 +6,9 @@
 
 #include <glm/vec4.hpp>
 
-/// Keeps the state of OpenGL that drawing Seamless Patches changes, and puts it back when it goes. Between,
-/// a vertex array object of its own is bound, and texture unit 0 is active; only one that lives shortly,
-/// because Coin takes contexts that share objects for one, and those share no vertex array objects.
+/// Keeps the state of OpenGL that drawing Seamless Patches changes, and puts it back when it goes. While it
+/// lives, texture unit 0 is active and an empty vertex array object bound, which goes with it: Coin takes
+/// contexts that share objects for one, but these share no vertex array objects.
 class TeSeamlessGlState {
 public:
   explicit TeSeamlessGlState(const TeSeamlessGl& gl);

@@ -16,8 +16,8 @@
 struct TeSeamlessLook {
   TeSeamlessTechnique technique;
   bool wireframe = false;
-  /// Chooses details between two resolutions by their fractions; without it fractions are ignored and the
-  /// shader is cheaper.
+  /// Vertices stand between two resolutions as the details' fractions say; without it at their own heights,
+  /// and the shader is cheaper.
   bool geomorph = false;
 
   /// Technique Heightmap: layout.resolution() + 1 samples a side, row 0 in the south, none missing.
