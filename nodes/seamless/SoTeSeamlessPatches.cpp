@@ -1,8 +1,7 @@
 #include "nodes/seamless/SoTeSeamlessPatches.h"
 
-#include "generators/base/TeText.h"
 #include "nodes/TeSceneFile.h"
-#include "nodes/seamless/TeSeamlessLookReader.h"
+#include "nodes/seamless/TeSeamlessSceneReader.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
 
 #include <Inventor/SbLine.h>
@@ -19,7 +18,6 @@
 #include <Inventor/misc/SoState.h>
 
 #include <algorithm>
-#include <cmath>
 #include <filesystem>
 
 SO_NODE_SOURCE(SoTeSeamlessPatches)
@@ -149,37 +147,12 @@ TeStatus SoTeSeamlessPatches::build() {
   }
   if (!m_content)
     return m_content.error();
-  TeSeamlessScene scene;
-  scene.content = *m_content;
-  const SbVec3f& extents = size.getValue();
-  const TeResult<TeSeamlessPlacement> placement = m_content->place(
-      {extents[0], extents[1], extents[2]}, toGlm(center.getValue()) - toGlm(origin.getValue()));
-  if (!placement)
-    return placement.error();
-  scene.placement = *placement;
-  const TeResult<TeSeamlessAccuracy> accuracy = readAccuracy();
-  if (!accuracy)
-    return accuracy.error();
-  scene.accuracy = *accuracy;
-  TeResult<TeSeamlessLook> look = TeSeamlessLookReader(*this, m_folder, m_pictures).read(*m_content->terrain);
-  if (!look)
-    return look.error();
-  scene.look = std::move(*look);
-  // Only tiles and strips have colours of their own.
-  scene.wholePatches = wholePatches.getValue() && coloring.getValue() != PLAIN;
-  if (scene.accuracy.pixelError > 0 && !scene.content.boundsError.empty())
-    return TeError{"pixelError needs the errors of the heights, which terrane-bake measures: " +
-                   scene.content.boundsError};
-  if (coloring.getValue() == TEXTURE && colors.getValue()) {
-    if (TeStatus status = readColours(scene); !status)
-      return status;
-  }
-  SoNode* camera = lodCamera.getValue();
-  if (camera && !camera->isOfType(SoCamera::getClassTypeId()))
-    return TeError{"lodCamera: a " + std::string(camera->getTypeId().getName().getString()) +
-                   " is no camera"};
-  scene.lodCamera = static_cast<SoCamera*>(camera);
-  m_viewers.setScene(std::move(scene));
+  TeSeamlessSceneReader reader(*this, m_folder, m_pictures);
+  TeResult<TeSeamlessScene> scene = reader.read(*m_content);
+  m_isReported = reader.isReported();
+  if (!scene)
+    return scene.error();
+  m_viewers.setScene(std::move(*scene));
   return {};
 }
 
@@ -200,36 +173,6 @@ TeResult<TeSeamlessContent> SoTeSeamlessPatches::load() {
     return TeSeamlessContent::ofClipmap(heights.getValue(), sizes, m_isReported);
   }
   return TeError{"heightSource " + std::to_string(heightSource.getValue()) + " is none of the three"};
-}
-
-TeStatus SoTeSeamlessPatches::readColours(TeSeamlessScene& scene) {
-  SoNode* node = colors.getValue();
-  if (!node->isOfType(SoTeClipmap::getClassTypeId()))
-    return TeError{"colors: a " + std::string(node->getTypeId().getName().getString()) + " is no TeClipmap"};
-  scene.colours = static_cast<SoTeClipmap*>(node);
-  if (scene.colours->kind.getValue() != SoTeClipmap::COLOR)
-    return TeError{"colors: the TeClipmap has heights"};
-  scene.colourTiles = scene.colours->getTiles();
-  m_isReported = !scene.colourTiles;
-  return scene.colourTiles ? TeStatus() : TeStatus(TeError{"colors: " + scene.colours->getError()});
-}
-
-TeResult<TeSeamlessAccuracy> SoTeSeamlessPatches::readAccuracy() const {
-  TeSeamlessAccuracy accuracy;
-  accuracy.precision = double(precision.getValue());
-  accuracy.pixelError = double(pixelError.getValue());
-  accuracy.geomorph = geomorph.getValue();
-  accuracy.maxPatches = maxPatches.getValue();
-  if (!(accuracy.precision >= 1) || !std::isfinite(accuracy.precision))
-    return TeError{"precision " + teNumberText(accuracy.precision) +
-                   " is not a number from 1; less would leave cracks"};
-  if (!(accuracy.pixelError >= 0) || !std::isfinite(accuracy.pixelError))
-    return TeError{"pixelError " + teNumberText(accuracy.pixelError) + " is not a number from 0"};
-  if (accuracy.maxPatches < 1)
-    return TeError{"maxPatches " + std::to_string(accuracy.maxPatches) + " is not a number from 1"};
-  if (heightSource.getValue() == FLAT)
-    accuracy.pixelError = 0;
-  return accuracy;
 }
 
 void SoTeSeamlessPatches::GLRender(SoGLRenderAction* action) {

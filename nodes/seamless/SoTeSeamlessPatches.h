@@ -155,8 +155,6 @@ private:
   bool update();
   TeStatus build();
   TeResult<TeSeamlessContent> load();
-  TeStatus readColours(TeSeamlessScene& scene);
-  TeResult<TeSeamlessAccuracy> readAccuracy() const;
   bool decidesHeights(const SoField* field) const;
   void pickTriangle(SoRayPickAction* action, const TeSeamlessPatch& patch,
                     const TeSeamlessSurface::Triangle& triangle);
