@@ -15,6 +15,8 @@ constexpr double kMetresPerSecond = 500;
 constexpr double kClearance = 100; ///< metres
 constexpr double kFarDistance = 60000;
 
+constexpr int kPublishedResolution = 16384;
+
 /// The document's figures, measured on a GeForce 9600 GT.
 struct Published {
   double precision;
@@ -26,9 +28,15 @@ constexpr Published kPublished[] = {{4, true, 46, 656702, 2.079},
                                     {1, true, 43, 68562, 0.926},
                                     {1, false, 250, 67971, 0.961}};
 
-TeTable::Cell published(double precision, bool instanced, double Published::*value) {
+const char* nameOf(TeInstancingWay way) {
+  const char* const names[] = {"whole", "instanced", "classic"};
+  return names[int(way)];
+}
+
+TeTable::Cell published(double precision, TeInstancingWay way, double Published::*value) {
   for (const Published& line : kPublished)
-    if (line.precision == precision && line.instanced == instanced)
+    if (line.precision == precision && line.instanced == (way == TeInstancingWay::Instanced) &&
+        way != TeInstancingWay::Whole)
       return line.*value;
   return {};
 }
@@ -120,6 +128,40 @@ std::vector<int> TeInstancingCommand::resolutions(const TeInstancingTerrain& ter
   return {terrain.cells()};
 }
 
+void TeInstancingCommand::addRow(TeInstancingWay way, int resolution, double precision,
+                                 const TeSelectionFigures& chosen,
+                                 const std::optional<TeByWay<TeDrawingFigures>>& drawn, TeTable& table) {
+  using Cell = TeTable::Cell;
+  const auto document = [&](double Published::*value) {
+    return resolution == kPublishedResolution ? published(precision, way, value) : Cell();
+  };
+  const TeDrawingFigures figures = drawn ? (*drawn)[std::size_t(way)] : TeDrawingFigures();
+  const auto ofFrames = [&](double value) { return drawn ? Cell(value) : Cell(); };
+  table.addRow({std::string(nameOf(way)),
+                std::int64_t(resolution),
+                precision,
+                drawn ? figures.drawCalls : chosen.drawCalls[std::size_t(way)],
+                document(&Published::drawCalls),
+                drawn ? figures.triangles : chosen.triangles,
+                document(&Published::triangles),
+                chosen.ms.median,
+                chosen.ms.low,
+                chosen.ms.high,
+                chosen.ms.mean,
+                ofFrames(figures.frameMs.median),
+                ofFrames(figures.frameMs.low),
+                ofFrames(figures.frameMs.high),
+                ofFrames(figures.frameMs.mean),
+                document(&Published::ms),
+                chosen.patches,
+                chosen.visited,
+                chosen.nsPerPatch,
+                chosen.plainVisited,
+                chosen.plainNsPerPatch,
+                chosen.nsPerPatch / chosen.plainNsPerPatch,
+                ofFrames(figures.uploadBytes)});
+}
+
 TeStatus TeInstancingCommand::measure(const TeInstancingTerrain& terrain, TeFlightStage* stage,
                                       TeTable& table) const {
   const TeFlyover flight = this->flight(terrain);
@@ -145,43 +187,15 @@ TeStatus TeInstancingCommand::measure(const TeInstancingTerrain& terrain, TeFlig
       const TeResult<TeSelectionFigures> chosen = sweep.select(precision, step);
       if (!chosen)
         return chosen.error();
-      TeDrawingFigures drawn[2];
-      if (shown)
-        if (const TeStatus ok = sweep.draw(precision, *shown, drawn[0], drawn[1], step); !ok)
-          return ok;
-      for (const bool instanced : {true, false}) {
-        const TeDrawingFigures& figures = drawn[instanced ? 0 : 1];
-        const bool compared = resolution == 16384;
-        const auto ofFrames = [&](double value) { return shown ? TeTable::Cell(value) : TeTable::Cell(); };
-        const auto document = [&](double Published::*value) {
-          return compared ? published(precision, instanced, value) : TeTable::Cell();
-        };
-        table.addRow({std::string(instanced ? "instanced" : "classic"),
-                      std::int64_t(resolution),
-                      precision,
-                      shown       ? figures.drawCalls
-                      : instanced ? chosen->instancedCalls
-                                  : chosen->classicCalls,
-                      document(&Published::drawCalls),
-                      shown ? figures.triangles : chosen->triangles,
-                      document(&Published::triangles),
-                      chosen->ms.median,
-                      chosen->ms.low,
-                      chosen->ms.high,
-                      chosen->ms.mean,
-                      ofFrames(figures.frameMs.median),
-                      ofFrames(figures.frameMs.low),
-                      ofFrames(figures.frameMs.high),
-                      ofFrames(figures.frameMs.mean),
-                      document(&Published::ms),
-                      chosen->patches,
-                      chosen->visited,
-                      chosen->nsPerPatch,
-                      chosen->plainVisited,
-                      chosen->plainNsPerPatch,
-                      chosen->nsPerPatch / chosen->plainNsPerPatch,
-                      shown ? figures.uploadBytes : chosen->instanceBytes});
+      std::optional<TeByWay<TeDrawingFigures>> drawn;
+      if (shown) {
+        TeResult<TeByWay<TeDrawingFigures>> result = sweep.draw(precision, *shown, step);
+        if (!result)
+          return result.error();
+        drawn = *result;
       }
+      for (const TeInstancingWay way : kTeInstancingWays)
+        addRow(way, resolution, precision, *chosen, drawn, table);
     }
   }
   return {};

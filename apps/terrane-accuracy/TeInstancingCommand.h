@@ -4,6 +4,7 @@
 #include "apps/terrane-accuracy/TeAccuracyOutput.h"
 #include "apps/terrane-accuracy/TeInstancingSweep.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,8 @@ private:
   int frames() const;
   /// Resolutions to be measured, the terrain's own first; only that is drawn.
   std::vector<int> resolutions(const TeInstancingTerrain& terrain) const;
+  static void addRow(TeInstancingWay way, int resolution, double precision, const TeSelectionFigures& chosen,
+                     const std::optional<TeByWay<TeDrawingFigures>>& drawn, TeTable& table);
   TeStatus measure(const TeInstancingTerrain& terrain, TeFlightStage* stage, TeTable& table) const;
   void describe(const TeInstancingTerrain& terrain, const TeFlightStage* stage, const TeTable& table,
                 TeAccuracyOutput& output) const;

@@ -25,9 +25,10 @@ template <class Work> double leastMs(Work work) {
 /// One node on the stage, and what its frames come to.
 class Drawn {
 public:
-  Drawn(TeNodePtr<SoTeSeamlessPatches> node, bool instanced, double precision, int frames)
+  Drawn(TeNodePtr<SoTeSeamlessPatches> node, TeInstancingWay way, double precision, int frames)
       : m_node(std::move(node)), m_frames(frames) {
-    m_node->instancing = instanced;
+    m_node->instancing = way != TeInstancingWay::Classic;
+    m_node->wholePatches = way == TeInstancingWay::Whole;
     m_node->precision = float(precision);
   }
 
@@ -88,6 +89,7 @@ TeResult<TeSelectionFigures> TeInstancingSweep::select(double precision, const P
   accuracy.precision = precision;
   const TeSeamlessSelector selector(layout, m_bounds);
   const TeSeamlessParts parts(layout);
+  const TeSeamlessParts whole(layout, true);
   TePlainTraversal plain(layout, m_bounds.get(), placement);
   TeSeamlessSelection selection;
   TeSeamlessLists lists;
@@ -102,7 +104,7 @@ TeResult<TeSelectionFigures> TeInstancingSweep::select(double precision, const P
     const TeClipResidency* residency = *windows ? &(*windows)->residency() : nullptr;
     times.push_back(leastMs([&] {
       selector.select(view, placement, accuracy, residency, selection);
-      lists.build(selection, layout, parts);
+      lists.build(selection, layout, whole);
     }));
     if (*windows)
       (*windows)->clearUploads();
@@ -112,9 +114,10 @@ TeResult<TeSelectionFigures> TeInstancingSweep::select(double precision, const P
     figures.patches += double(selection.patches.size()) / m_frames;
     figures.visited += double(selection.traversed) / m_frames;
     figures.plainVisited += double(plain.visited()) / m_frames;
-    figures.instancedCalls += double(lists.draws().size()) / m_frames;
-    figures.classicCalls += double(lists.instances().size()) / m_frames;
-    figures.instanceBytes += double(lists.instances().size() * sizeof(TeSeamlessInstance)) / m_frames;
+    figures.drawCalls[0] += double(lists.draws().size()) / m_frames;
+    lists.build(selection, layout, parts);
+    figures.drawCalls[1] += double(lists.draws().size()) / m_frames;
+    figures.drawCalls[2] += double(lists.instances().size()) / m_frames;
     progress(frame + 1);
   }
   figures.nsPerPatch = 1e6 * allMs / (figures.visited * m_frames);
@@ -123,13 +126,13 @@ TeResult<TeSelectionFigures> TeInstancingSweep::select(double precision, const P
   return figures;
 }
 
-TeStatus TeInstancingSweep::draw(double precision, TeFlightStage& stage, TeDrawingFigures& instanced,
-                                 TeDrawingFigures& classic, const Progress& progress) const {
+TeResult<TeByWay<TeDrawingFigures>> TeInstancingSweep::draw(double precision, TeFlightStage& stage,
+                                                            const Progress& progress) const {
   constexpr int kMostLoadingFrames = 200;
-  const TeSeamlessLayout& layout = m_bounds->layout();
-  Drawn both[] = {{m_terrain.node(layout), true, precision, m_frames},
-                  {m_terrain.node(layout), false, precision, m_frames}};
-  for (Drawn& drawn : both) {
+  std::vector<Drawn> ways;
+  for (const TeInstancingWay way : kTeInstancingWays)
+    ways.emplace_back(m_terrain.node(m_bounds->layout()), way, precision, m_frames);
+  for (Drawn& drawn : ways) {
     TeResult<bool> loading = true;
     for (int i = 0; loading && *loading && i < kMostLoadingFrames; i++)
       loading = drawn.prepare(stage, m_flight.view(0));
@@ -137,12 +140,10 @@ TeStatus TeInstancingSweep::draw(double precision, TeFlightStage& stage, TeDrawi
       return loading.error();
   }
   for (int frame = 0; frame < m_frames; frame++) {
-    for (Drawn& drawn : both)
+    for (Drawn& drawn : ways)
       if (const TeStatus ok = drawn.draw(stage, m_flight.view(frame)); !ok)
-        return ok;
+        return ok.error();
     progress(frame + 1);
   }
-  instanced = both[0].figures();
-  classic = both[1].figures();
-  return {};
+  return TeByWay<TeDrawingFigures>{ways[0].figures(), ways[1].figures(), ways[2].figures()};
 }

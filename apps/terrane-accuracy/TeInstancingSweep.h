@@ -4,14 +4,25 @@
 #include "apps/terrane-accuracy/TeInstancingTerrain.h"
 #include "apps/terrane-accuracy/TeSpread.h"
 
+#include <array>
+
+/// How a frame's patches are sent.
+enum class TeInstancingWay {
+  Whole,     ///< a draw call for each list of patches of one combination of resolutions
+  Instanced, ///< the document's: one for each list of equal tiles or strips
+  Classic    ///< one for each tile and strip
+};
+constexpr TeInstancingWay kTeInstancingWays[] = {TeInstancingWay::Whole, TeInstancingWay::Instanced,
+                                                 TeInstancingWay::Classic};
+/// By TeInstancingWay.
+template <class Value> using TeByWay = std::array<Value, 3>;
+
 /// What choosing the patches of a flight's frames took: on the CPU alone, and however it is drawn.
 struct TeSelectionFigures {
   double triangles = 0; ///< means over the frames
   double patches = 0;
   double visited = 0;
-  double instancedCalls = 0; ///< draw calls: one a list,
-  double classicCalls = 0;   ///< one a part
-  double instanceBytes = 0;
+  TeByWay<double> drawCalls{};
   TeSpread ms;                ///< CPU time of selection and lists; the least of three runs a frame
   double nsPerPatch = 0;      ///< of that, a visited patch
   double plainNsPerPatch = 0; ///< TePlainTraversal in the same frames
@@ -39,9 +50,9 @@ public:
 
   /// Windows of clipmaps follow the flight as they do when it is drawn. Error: they cannot be read.
   TeResult<TeSelectionFigures> select(double precision, const Progress& progress) const;
-  /// Each frame instanced and classic in turn. Error: one of OpenGL.
-  TeStatus draw(double precision, TeFlightStage& stage, TeDrawingFigures& instanced,
-                TeDrawingFigures& classic, const Progress& progress) const;
+  /// Each frame in all ways in turn. Error: one of OpenGL.
+  TeResult<TeByWay<TeDrawingFigures>> draw(double precision, TeFlightStage& stage,
+                                           const Progress& progress) const;
 
 private:
   const TeInstancingTerrain& m_terrain;

@@ -31,7 +31,7 @@ TeResult<std::unique_ptr<TeSeamlessMethod>> TeSeamlessMethod::create(const TeMea
 TeSeamlessMethod::TeSeamlessMethod(const TeMeasuredTerrain& terrain, const Settings& settings,
                                    std::shared_ptr<const TeSeamlessBounds> bounds)
     : m_terrain(terrain), m_settings(settings), m_name(settings.geomorph ? "seamless-geomorph" : "seamless"),
-      m_selector(bounds->layout(), bounds), m_parts(bounds->layout()) {
+      m_selector(bounds->layout(), bounds), m_parts(bounds->layout(), true) {
   const TeMapStatistics statistics = terrain.heights.statistics();
   m_placement.spacing = terrain.spacing;
   m_placement.heightScale = terrain.heightScale;

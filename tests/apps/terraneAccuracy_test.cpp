@@ -118,10 +118,14 @@ TEST_F(TerraneAccuracy, InstancingNeedsFarFewerCallsForTheSameTriangles) {
            "--context",     "osmesa",   "--quiet",  "--out",   scratch("instancing")});
   ASSERT_EQ(result.status, 0) << result.error;
   const nlohmann::json json = nlohmann::json::parse(contents(scratch("instancing/instancing.json")));
-  ASSERT_EQ(json["rows"].size(), 4u);
-  for (std::size_t i = 0; i < 4; i += 2) {
-    const nlohmann::json& instanced = json["rows"][i];
-    const nlohmann::json& classic = json["rows"][i + 1];
+  ASSERT_EQ(json["rows"].size(), 6u);
+  for (std::size_t i = 0; i < 6; i += 3) {
+    const nlohmann::json& whole = json["rows"][i];
+    const nlohmann::json& instanced = json["rows"][i + 1];
+    const nlohmann::json& classic = json["rows"][i + 2];
+    EXPECT_EQ(whole["method"], "whole");
+    EXPECT_EQ(whole["triangles"], classic["triangles"]);
+    EXPECT_LT(whole["draw_calls"], classic["draw_calls"]);
     EXPECT_EQ(instanced["method"], "instanced");
     EXPECT_EQ(classic["method"], "classic");
     EXPECT_EQ(instanced["triangles"], classic["triangles"]);
@@ -131,8 +135,8 @@ TEST_F(TerraneAccuracy, InstancingNeedsFarFewerCallsForTheSameTriangles) {
     EXPECT_GT(instanced["frame_ms"], 0);
     EXPECT_TRUE(instanced["document_draw_calls"].is_null()) << "only for the document's own resolution";
   }
-  EXPECT_LT(json["rows"][0]["triangles"], json["rows"][2]["triangles"]);
-  EXPECT_EQ(lines(contents(scratch("instancing/instancing.csv"))).size(), 5u);
+  EXPECT_LT(json["rows"][0]["triangles"], json["rows"][3]["triangles"]);
+  EXPECT_EQ(lines(contents(scratch("instancing/instancing.csv"))).size(), 7u);
 }
 
 TEST_F(TerraneAccuracy, InstancingFliesOverAPyramid) {
@@ -146,9 +150,9 @@ TEST_F(TerraneAccuracy, InstancingFliesOverAPyramid) {
            "2", "--frames", "2", "--no-draw", "--quiet", "--out", scratch("land")});
   ASSERT_EQ(result.status, 0) << result.error;
   const nlohmann::json json = nlohmann::json::parse(contents(scratch("land/instancing.json")));
-  ASSERT_EQ(json["rows"].size(), 4u);
+  ASSERT_EQ(json["rows"].size(), 6u);
   EXPECT_EQ(json["rows"][0]["resolution"], 512);
-  EXPECT_EQ(json["rows"][2]["resolution"], 128);
+  EXPECT_EQ(json["rows"][3]["resolution"], 128);
   EXPECT_TRUE(json["rows"][0]["frame_ms"].is_null());
   EXPECT_GT(json["rows"][0]["select_ms"], 0);
   EXPECT_GT(json["rows"][0]["plain_ns_a_visited"], 0);
