@@ -108,7 +108,7 @@ public:
   SoSFBool geomorph;            ///< resolutions change smoothly
   SoSFBool instancing;          ///< a draw call for each list of equal shapes, not for each one
   /// Shapes are patches with one combination of resolutions, which makes few lists; FALSE: the document's
-  /// tiles and strips, as is always so with coloring PLAIN and where combinations are too many.
+  /// tiles and strips, as is always so where these have colours of their own or combinations are too many.
   SoSFBool wholePatches;
   SoSFBool wireframe;
   SoSFEnum heightSource;

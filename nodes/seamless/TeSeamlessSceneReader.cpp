@@ -33,9 +33,9 @@ TeResult<TeSeamlessScene> TeSeamlessSceneReader::read(const TeSeamlessContent& c
   if (!look)
     return look.error();
   scene.look = std::move(*look);
-  // Only tiles and strips have colours of their own.
-  scene.wholePatches =
-      m_node.wholePatches.getValue() && m_node.coloring.getValue() != SoTeSeamlessPatches::PLAIN;
+  const bool partsDiffer = m_node.coloring.getValue() == SoTeSeamlessPatches::PLAIN &&
+                           m_node.tileColor.getValue() != m_node.stripColor.getValue();
+  scene.wholePatches = m_node.wholePatches.getValue() && !partsDiffer;
   if (TeStatus status = readColours(scene); !status)
     return status.error();
   SoNode* camera = m_node.lodCamera.getValue();
