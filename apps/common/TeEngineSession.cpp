@@ -1,15 +1,7 @@
 #include "apps/common/TeEngineSession.h"
 
-#include "generators/base/TeLog.h"
+#include "apps/common/TeScreenshots.h"
 #include "generators/base/TeText.h"
-
-#include <filesystem>
-
-namespace {
-
-constexpr int kMostPictures = 1000;
-
-} // namespace
 
 std::optional<double> teGroundAt(TeEngine& engine, glm::dvec2 point) {
   TePatch* patch = engine.getPatch(SbVec2d(point.x, point.y));
@@ -125,20 +117,7 @@ bool TeEngineSession::handleKey(const TeKeyEvent& key) {
 bool TeEngineSession::takePictureWanted() { return std::exchange(m_pictureWanted, false); }
 
 void TeEngineSession::savePicture(const TeResult<TePicture>& picture) {
-  if (!picture)
-    return TeLog::error("picture: " + picture.error().message);
-  for (int number = 1; number < kMostPictures; ++number) {
-    const std::filesystem::path path =
-        std::filesystem::path(m_options.screenshots) / (m_application + teFormat("-%03d.png", number));
-    std::error_code ignored;
-    if (std::filesystem::exists(path, ignored))
-      continue;
-    if (const TeStatus ok = picture->writePng(path.string()); !ok)
-      return TeLog::error(ok.error().message);
-    return TeLog::info("picture written: " + path.string());
-  }
-  TeLog::error(m_options.screenshots + ": holds " + std::to_string(kMostPictures - 1) +
-               " pictures already; delete some");
+  teSaveScreenshot(picture, m_options.screenshots, m_application);
 }
 
 TeStatus TeEngineSession::finish() { return m_recorder ? m_recorder->finish() : TeStatus(); }

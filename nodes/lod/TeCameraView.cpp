@@ -118,7 +118,17 @@ std::optional<TeLodView> TeCameraView::fromState(SoState* state) {
 }
 
 std::optional<TeLodView> TeCameraView::fromCamera(const SoCamera& camera, SoState* state) {
-  SbViewportRegion viewport;
-  const SbViewVolume volume = camera.getViewVolume(SoViewportRegionElement::get(state), viewport);
+  const SbViewportRegion& region = SoViewportRegionElement::get(state);
+  const float aspect = region.getViewportAspectRatio();
+  SbViewportRegion viewport = region;
+  SbViewVolume volume;
+  if (camera.viewportMapping.getValue() == SoCamera::ADJUST_CAMERA) {
+    // As when it is traversed; Coin's own function for viewports takes them for squares here.
+    volume = camera.getViewVolume(aspect);
+    if (aspect < 1)
+      volume.scale(1 / aspect);
+  } else {
+    volume = camera.getViewVolume(region, viewport);
+  }
   return create(volume, viewport.getViewportSizePixels(), SoModelMatrixElement::get(state));
 }

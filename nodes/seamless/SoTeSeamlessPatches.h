@@ -138,6 +138,9 @@ public:
   /// Of the last frame drawn, in whichever context.
   const TeSeamlessStatistics& statistics() const { return m_viewers.statistics(); }
 
+  /// Whether the last frame would have been finer, had its clipmaps been loaded; another one follows then.
+  bool isLoading() const { return m_viewers.isWaiting(); }
+
   void GLRender(SoGLRenderAction* action) override;
   void rayPick(SoRayPickAction* action) override;
   void getPrimitiveCount(SoGetPrimitiveCountAction* action) override;

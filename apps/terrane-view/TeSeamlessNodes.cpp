@@ -1,0 +1,141 @@
+#include "apps/terrane-view/TeSeamlessNodes.h"
+
+#include <Inventor/SoPath.h>
+#include <Inventor/actions/SoSearchAction.h>
+#include <Inventor/nodes/SoCamera.h>
+
+#include <algorithm>
+
+namespace {
+
+using Node = SoTeSeamlessPatches;
+
+/// Whether a node has what a colouring needs.
+bool hasPictures(const Node& node, int colouring) {
+  constexpr int kDetails = 4;
+  if (colouring == Node::TEXTURE)
+    return node.texture.getValue().getLength() > 0 || node.colors.getValue();
+  if (colouring == Node::DETAIL)
+    return node.mask.getValue().getLength() > 0 && node.detailTextures.getNum() == kDetails;
+  return true;
+}
+
+/// Only where it differs, so that nothing is redrawn without need.
+template <class Field, class Value> void set(Field& field, const Value& value) {
+  if (field.getValue() != value)
+    field = value;
+}
+
+} // namespace
+
+TeSeamlessNodes::TeSeamlessNodes(SoNode* scene, const TeViewOptions& options) {
+  SoSearchAction search;
+  search.setType(Node::getClassTypeId());
+  search.setInterest(SoSearchAction::ALL);
+  search.setSearchingAll(TRUE);
+  search.apply(scene);
+  for (int i = 0; i < search.getPaths().getLength(); ++i) {
+    Node* node = static_cast<Node*>(search.getPaths()[i]->getTail());
+    const auto same = [&](const TeNodePtr<Node>& other) { return other.get() == node; };
+    if (std::none_of(m_nodes.begin(), m_nodes.end(), same))
+      m_nodes.emplace_back(node);
+  }
+  if (options.precision)
+    setPrecision(*options.precision);
+  if (options.pixelError)
+    setPixelError(*options.pixelError);
+  if (options.geomorph)
+    setGeomorph(true);
+  if (options.classic)
+    setInstancing(false);
+}
+
+TeSeamlessStatistics TeSeamlessNodes::statistics() const {
+  TeSeamlessStatistics sum;
+  for (const TeNodePtr<Node>& node : m_nodes) {
+    const TeSeamlessStatistics& one = node->statistics();
+    sum.faces += one.faces;
+    sum.drawCalls += one.drawCalls;
+    sum.traversed += one.traversed;
+    sum.culled += one.culled;
+    sum.rendered += one.rendered;
+    sum.bytesUploaded += one.bytesUploaded;
+    sum.selectionSeconds += one.selectionSeconds;
+    sum.errorBound = std::max(sum.errorBound, one.errorBound);
+    sum.precision = std::max(sum.precision, one.precision);
+    sum.heightBytes += one.heightBytes;
+    sum.clipTextureBytes += one.clipTextureBytes;
+  }
+  return sum;
+}
+
+bool TeSeamlessNodes::areLoading() const {
+  return std::any_of(m_nodes.begin(), m_nodes.end(),
+                     [](const TeNodePtr<Node>& node) { return node->isLoading(); });
+}
+
+bool TeSeamlessNodes::instancing() const { return !any() || m_nodes.front()->instancing.getValue(); }
+
+bool TeSeamlessNodes::geomorph() const { return any() && m_nodes.front()->geomorph.getValue(); }
+
+double TeSeamlessNodes::precision() const {
+  return any() ? double(m_nodes.front()->precision.getValue()) : 2;
+}
+
+double TeSeamlessNodes::pixelError() const {
+  return any() ? double(m_nodes.front()->pixelError.getValue()) : 0;
+}
+
+std::string TeSeamlessNodes::colouring() const {
+  if (!any())
+    return {};
+  SbString name;
+  m_nodes.front()->coloring.get(name);
+  std::string text = name.getString();
+  for (char& letter : text)
+    letter = char(std::tolower(static_cast<unsigned char>(letter)));
+  return text;
+}
+
+void TeSeamlessNodes::setInstancing(bool on) {
+  for (const TeNodePtr<Node>& node : m_nodes)
+    set(node->instancing, SbBool(on));
+}
+
+void TeSeamlessNodes::setGeomorph(bool on) {
+  for (const TeNodePtr<Node>& node : m_nodes)
+    set(node->geomorph, SbBool(on));
+}
+
+void TeSeamlessNodes::setPrecision(double precision) {
+  for (const TeNodePtr<Node>& node : m_nodes) {
+    set(node->precision, float(precision));
+    set(node->pixelError, 0.0f);
+  }
+}
+
+void TeSeamlessNodes::setPixelError(double pixels) {
+  for (const TeNodePtr<Node>& node : m_nodes)
+    set(node->pixelError, float(pixels));
+}
+
+void TeSeamlessNodes::setWireframe(bool on) {
+  for (const TeNodePtr<Node>& node : m_nodes)
+    set(node->wireframe, SbBool(on));
+}
+
+void TeSeamlessNodes::nextColouring() {
+  constexpr int kColourings = Node::HEIGHT + 1;
+  for (const TeNodePtr<Node>& node : m_nodes) {
+    int next = node->coloring.getValue();
+    do
+      next = (next + 1) % kColourings;
+    while (!hasPictures(*node, next));
+    set(node->coloring, next);
+  }
+}
+
+void TeSeamlessNodes::setLodCamera(SoCamera* camera) {
+  for (const TeNodePtr<Node>& node : m_nodes)
+    set(node->lodCamera, static_cast<SoNode*>(camera));
+}

@@ -1,0 +1,44 @@
+#pragma once
+
+#include "apps/terrane-view/TeViewOptions.h"
+#include "nodes/TeNodePtr.h"
+#include "nodes/seamless/SoTeSeamlessPatches.h"
+
+#include <string>
+#include <vector>
+
+class SoCamera;
+class SoNode;
+
+/// All SoTeSeamlessPatches of a scene, which the user changes together.
+class TeSeamlessNodes {
+public:
+  /// Finds them, and sets what the options say about accuracy and drawing.
+  TeSeamlessNodes(SoNode* scene, const TeViewOptions& options);
+
+  bool any() const { return !m_nodes.empty(); }
+  /// Of the last frame: counts, bytes and times summed up, the largest error bound and precision.
+  TeSeamlessStatistics statistics() const;
+  /// Whether the next frame would be finer.
+  bool areLoading() const;
+
+  // What is set of the first; the node's defaults where there is none.
+  bool instancing() const;
+  bool geomorph() const;
+  double precision() const;
+  double pixelError() const; ///< 0 = the precision counts
+  std::string colouring() const;
+
+  void setInstancing(bool on);
+  void setGeomorph(bool on);
+  void setPrecision(double precision); ///< no pixel error is wanted from then on
+  void setPixelError(double pixels);
+  void setWireframe(bool on);
+  /// Goes on to the next colouring for which the nodes have pictures.
+  void nextColouring();
+  /// The camera that decides about detail; null = the drawing one.
+  void setLodCamera(SoCamera* camera);
+
+private:
+  std::vector<TeNodePtr<SoTeSeamlessPatches>> m_nodes;
+};

@@ -1,0 +1,73 @@
+#include "apps/terrane-view/TeViewSession.h"
+
+#include "apps/common/TeScreenshots.h"
+#include "apps/terrane-view/TeViewText.h"
+
+TeResult<std::unique_ptr<TeViewSession>> TeViewSession::create(const TeViewOptions& options,
+                                                               const TeCommonOptions& common) {
+  std::unique_ptr<TeViewSession> session(new TeViewSession(options, common));
+  TeResult<TeViewContent> content = TeViewContent::create(options, common.quiet);
+  if (!content)
+    return content.error();
+  session->m_content = std::move(*content);
+  TeResult<TeViewFlight> flight = TeViewFlight::create(session->m_content, options);
+  if (!flight)
+    return flight.error();
+  session->m_flight = std::make_unique<TeViewFlight>(std::move(*flight));
+  session->m_stage = std::make_unique<TeViewStage>(session->m_content, options, common);
+  session->m_nodes = std::make_unique<TeSeamlessNodes>(session->m_content.root.get(), options);
+  session->m_controls = std::make_unique<TeViewControls>(options, *session->m_nodes);
+  session->m_stage->hud().setHelp(teViewHelp());
+  session->advance(0);
+  return session;
+}
+
+void TeViewSession::advance(double dt) {
+  if (dt > 0 && !m_controls->paused())
+    m_flight->update(dt);
+  m_stage->setWireframe(m_controls->wireframe());
+  m_nodes->setLodCamera(m_controls->secondCamera() ? m_stage->lodCamera() : nullptr);
+  m_stage->show(m_flight->pose(), m_controls->secondCamera());
+  updateText();
+}
+
+void TeViewSession::updateText() {
+  TeHud& hud = m_stage->hud();
+  hud.setVisible(m_controls->statistics() || m_controls->help());
+  hud.showHelp(m_controls->help());
+  if (m_controls->statistics())
+    hud.setLines(teViewLines(*m_nodes, m_flight->pose(), m_frameSeconds));
+}
+
+void TeViewSession::heard(const TeKeyEvent& event) {
+  if (event.down && event.key == SoKeyboardEvent::ESCAPE)
+    m_ended = true;
+  else if (event.down && (event.key == SoKeyboardEvent::F12 || event.key == SoKeyboardEvent::G))
+    m_pictureWanted = true;
+  else if (!m_controls->handleKey(event) && m_flight->camera())
+    m_flight->camera()->handleKey(event);
+}
+
+void TeViewSession::drawn(double seconds) {
+  m_log.add(seconds, m_nodes->statistics());
+  if (m_common.dt == 0)
+    m_frameSeconds = seconds;
+}
+
+void TeViewSession::savePicture(const TeResult<TePicture>& picture) const {
+  teSaveScreenshot(picture, m_options.screenshots, "terrane-view");
+}
+
+void TeViewSession::describe(TeReport& report) const {
+  auto& json = report.json();
+  json["shown"] = m_content.description;
+  const glm::dvec3 &low = m_content.low, &high = m_content.high;
+  json["box_m"] = {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
+  m_flight->describe(json);
+  if (m_nodes->any())
+    json["settings"] = {{"precision", m_nodes->precision()},   {"pixel_error", m_nodes->pixelError()},
+                        {"instancing", m_nodes->instancing()}, {"geomorph", m_nodes->geomorph()},
+                        {"colouring", m_nodes->colouring()},   {"second_camera", m_controls->secondCamera()},
+                        {"wireframe", m_controls->wireframe()}};
+  m_log.describe(m_nodes->any(), json);
+}
