@@ -185,6 +185,25 @@ TEST(TeCameraView, IsThatOfTheCameraTraversed) {
   EXPECT_EQ(looks, 1);
 }
 
+TEST(TeCameraView, ACameraSeesTheSameWithoutBeingTraversed) {
+  const auto scene = readScene("DEF TestEye PerspectiveCamera { position 7 8 109 heightAngle 0.9 }\n"
+                               "DEF TestHere Callback {}");
+  ASSERT_TRUE(scene);
+  const auto* camera = static_cast<SoCamera*>(SoNode::getByName("TestEye"));
+  ASSERT_TRUE(camera);
+  for (const SbVec2s& pixels : {SbVec2s(320, 240), SbVec2s(300, 300), SbVec2s(200, 500)}) {
+    SoCallbackAction action{SbViewportRegion(pixels)};
+    inState(scene.get(), action, [&](SoState* state) {
+      const auto traversed = TeCameraView::fromState(state);
+      const auto other = TeCameraView::fromCamera(*camera, state);
+      ASSERT_TRUE(traversed && other);
+      EXPECT_NEAR(other->focal, traversed->focal, 1e-6 * traversed->focal) << pixels[0];
+      for (std::size_t i = 0; i < 6; i++)
+        EXPECT_LT(glm::length(other->planes[i] - traversed->planes[i]), 1e-5) << pixels[0] << " " << i;
+    });
+  }
+}
+
 TEST(TeCameraView, KnowsWhetherThereIsACamera) {
   const auto scene = readScene("DEF TestHere Callback {}");
   ASSERT_TRUE(scene);
