@@ -89,7 +89,7 @@ TeResult<TeFrameFigures> teMeasureFrames(TeMeasuredMethod& method, const TeDial&
   TeResult<std::unique_ptr<TeRawMesh>> raw = TeRawMesh::create(stage.context());
   if (!raw)
     return raw.error();
-  std::vector<double> times, rawTimes;
+  std::vector<double> times, rawTimes, ratios;
   std::vector<TeSeamlessMesh::Triangle> mesh;
   // Frame -1 is drawn for what happens but once: shaders, heights. Raw, each frame twice, as its data are
   // new.
@@ -112,6 +112,8 @@ TeResult<TeFrameFigures> teMeasureFrames(TeMeasuredMethod& method, const TeDial&
       continue;
     times.push_back(*ms);
     rawTimes.push_back(*rawMs);
+    ratios.push_back(*ms / std::max(1e-9, *rawMs));
   }
-  return TeFrameFigures{TeSpread::of(std::move(times)), TeSpread::of(std::move(rawTimes))};
+  return TeFrameFigures{TeSpread::of(std::move(times)), TeSpread::of(std::move(rawTimes)),
+                        TeSpread::of(std::move(ratios))};
 }

@@ -24,6 +24,7 @@ struct TeLodFigures {
 struct TeFrameFigures {
   TeSpread ms;    ///< choosing, sending and drawing
   TeSpread rawMs; ///< drawing the same triangles by TeRawMesh
+  TeSpread ratio; ///< of both, frame by frame: what disturbs one mostly disturbs the other
 };
 
 /// Flies over a terrain: frames 0, stride, 2·stride …, `frames` of them; jumps are measured from each of them

@@ -34,8 +34,7 @@ void TeLodTable::add(const TeMeasuredMethod& method, const std::string& layout, 
   for (const double value :
        {figures.drawCalls, figures.parts, figures.visited, figures.selectMs.low, figures.selectMs.high})
     cells.emplace_back(value);
-  for (const double value : {times.ms.low, times.ms.high, times.rawMs.median,
-                             times.ms.median / std::max(1e-9, times.rawMs.median)})
+  for (const double value : {times.ms.low, times.ms.high, times.rawMs.median, times.ratio.median})
     cells.push_back(ofFrames(value));
   m_table.addRow(std::move(cells));
 }

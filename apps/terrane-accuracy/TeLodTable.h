@@ -8,7 +8,8 @@
 #include <string>
 
 /// What `terrane-accuracy lod` has measured: one row for each method, layout and accuracy. Times are in ms,
-/// columns *_low_ms and *_high_ms their quartiles; frame_ratio is frame_ms / raw_frame_ms (TeRawMesh).
+/// columns *_low_ms and *_high_ms their quartiles; frame_ratio is to
+/// raw_frame_ms (TeRawMesh), the median of the frames' ratios.
 class TeLodTable {
 public:
   TeLodTable();
