@@ -24,7 +24,6 @@ namespace {
 /// Of the eye's distance from the origin: planes are moved outward by as much as the single precision of
 /// what is drawn may move the picture.
 constexpr double kPlaneMargin = 1e-6;
-constexpr double kPi = 3.14159265358979323846;
 
 SbDPMatrix toDouble(const SbMatrix& matrix) {
   SbDPMatrix result;
@@ -35,9 +34,9 @@ SbDPMatrix toDouble(const SbMatrix& matrix) {
   return result;
 }
 
-/// The square of the length that the shortest image of a unit vector has; v·m is the image. Eigenvalue of a
-/// symmetric matrix by Smith 1961.
-double shortestImage(const glm::dmat3& m) {
+/// The length of the longest image of a unit vector; m·v is the image. Eigenvalue of a symmetric matrix by
+/// Smith 1961, who finds the largest to nearly all digits, but not the others.
+double longestImage(const glm::dmat3& m) {
   const glm::dmat3 squares = glm::transpose(m) * m;
   const double mean = (squares[0][0] + squares[1][1] + squares[2][2]) / 3;
   const glm::dmat3 rest = squares - mean * glm::dmat3(1.0);
@@ -46,9 +45,9 @@ double shortestImage(const glm::dmat3& m) {
     sum += glm::dot(rest[i], rest[i]);
   const double spread = std::sqrt(sum / 6);
   if (!(spread > 1e-14 * mean))
-    return mean;
+    return std::sqrt(mean);
   const double cosine = std::clamp(glm::determinant(rest / spread) / 2, -1.0, 1.0);
-  return mean + 2 * spread * std::cos((std::acos(cosine) + 2 * kPi) / 3);
+  return std::sqrt(mean + 2 * spread * std::cos(std::acos(cosine) / 3));
 }
 
 bool isFinite(const TeLodView& view) {
@@ -66,8 +65,10 @@ std::optional<TeLodView> TeCameraView::create(const SbViewVolume& volume, const 
   glm::dmat3 axes; // columns: images of the shape's axes
   for (int i = 0; i < 3; i++)
     axes[i] = glm::dvec3(place[i][0], place[i][1], place[i][2]);
-  const double shortest = std::sqrt(std::max(shortestImage(axes), 0.0));
-  if (!(shortest > 0) || !std::isfinite(shortest) || glm::determinant(axes) == 0)
+  if (glm::determinant(axes) == 0)
+    return {};
+  const double shortest = 1 / longestImage(glm::inverse(axes)); // image of a unit vector
+  if (!(shortest > 0) || !std::isfinite(shortest))
     return {};
 
   SbDPMatrix viewing, projection;

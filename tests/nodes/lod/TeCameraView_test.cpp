@@ -217,3 +217,15 @@ TEST(TeCameraView, KnowsWhetherThereIsACamera) {
     });
   EXPECT_EQ(looks, 2);
 }
+
+// Terrain in degrees, or piled up a thousand times and more: the deviation may be up, the distance across.
+TEST(TeCameraView, FocalIsRightUnderUnequalScales) {
+  const double plain = TeCameraView::create(perspective(60), kPixels, SbMatrix::identity())->focal;
+  for (const float scale : {0.1f, 1e-3f, 1e-4f, 1e-5f, 1e-6f, 10.0f, 1e5f}) {
+    SbMatrix model;
+    model.setTransform(SbVec3f(1, 2, 3), SbRotation(SbVec3f(1, 2, 3), 0.7f), SbVec3f(scale, scale, 1));
+    const auto view = TeCameraView::create(perspective(60), kPixels, model);
+    ASSERT_TRUE(view) << scale;
+    EXPECT_NEAR(view->focal / plain * std::min(1.0, double(scale)), 1, 0.05) << scale;
+  }
+}
