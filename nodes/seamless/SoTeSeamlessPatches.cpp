@@ -19,6 +19,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 SO_NODE_SOURCE(SoTeSeamlessPatches)
 
@@ -203,8 +204,10 @@ void SoTeSeamlessPatches::computeBBox(SoAction*, SbBox3f& box, SbVec3f& center) 
 }
 
 void SoTeSeamlessPatches::getPrimitiveCount(SoGetPrimitiveCountAction* action) {
-  if (update() && shouldPrimitiveCount(action))
-    action->addNumTriangles(int(m_viewers.triangles(action)));
+  if (!update() || !shouldPrimitiveCount(action))
+    return;
+  const std::int64_t most = std::numeric_limits<int>::max() - std::int64_t(action->getTriangleCount());
+  action->addNumTriangles(int(std::min(m_viewers.triangles(action), most)));
 }
 
 void SoTeSeamlessPatches::generatePrimitives(SoAction* action) {

@@ -107,6 +107,10 @@ TeResult<TeSeamlessLook> TeSeamlessSceneReader::readLook(const TeSeamlessTerrain
   case SoTeSeamlessPatches::HEIGHT:
     status = readGround(terrain.range, look.slopes);
     break;
+  case SoTeSeamlessPatches::PLAIN:
+    break;
+  default:
+    status = TeError{"coloring " + std::to_string(m_node.coloring.getValue()) + " is none of the four"};
   }
   if (!status)
     return status.error();

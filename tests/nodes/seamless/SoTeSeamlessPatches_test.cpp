@@ -28,6 +28,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <limits>
 #include <map>
 #include <random>
 
@@ -236,6 +237,13 @@ TEST(SoTeSeamlessPatches, BudgetOfPatchesHolds) {
   EXPECT_GT(triangles(node.get()), 0);
 }
 
+TEST(SoTeSeamlessPatches, MoreTrianglesThanCoinCountsAreAsManyAsItCounts) {
+  const auto root =
+      readScene("TeSeamlessPatches { resolution 131072 minPatchResolution 256 levels 2 precision 1000000 "
+                "maxPatches 100000 }");
+  EXPECT_EQ(triangles(root.get()), std::numeric_limits<int>::max());
+}
+
 TEST(SoTeSeamlessPatches, RaysMeetWhatIsDrawn) {
   const auto node = hillsNode();
   const auto root = seenBy(SbVec3f(-450, -450, 250), SbVec3f(0, 0, 100), node.get());
@@ -384,6 +392,21 @@ TEST(SoTeSeamlessPatches, BadFieldsGiveOneWarningAndNothing) {
     EXPECT_EQ(warnings.lines.size(), 1u) << fields << ": " << testing::PrintToString(warnings.lines);
     EXPECT_FALSE(terrainOf(root.get())->getError().empty()) << fields;
   }
+}
+
+TEST(SoTeSeamlessPatches, NumbersThatNameNothingAreErrors) {
+  const Warnings warnings;
+  const auto node = hillsNode();
+  for (const int coloring : {-1, 4, 1 << 30}) {
+    node->coloring = coloring;
+    EXPECT_EQ(triangles(node.get()), 0);
+    EXPECT_THAT(node->getError(), testing::HasSubstr("coloring " + std::to_string(coloring)));
+  }
+  node->coloring = SoTeSeamlessPatches::HEIGHT;
+  node->heightSource = 3;
+  EXPECT_THAT(node->getError(), testing::HasSubstr("heightSource 3"));
+  node->heightSource = SoTeSeamlessPatches::HEIGHTMAP;
+  EXPECT_GT(triangles(node.get()), 0);
 }
 
 TEST(SoTeSeamlessPatches, NotANumberIsOneWarning) {
