@@ -162,12 +162,13 @@ void TeSeamlessSelector::select(const TeLodView& view, const TeSeamlessPlacement
   assert(m_bounds || (!accuracy.exact && !(accuracy.pixelError > 0)));
   thread_local TePatchMemo memo; // as large as the largest selection of the thread
   const TeDivisionLimits limits(m_layout, residency);
-  // At some coarsening one patch is enough for any error; the document's precision ends at 1.
+  // At some coarsening one patch is enough; but with perspective the document's precision ends at 1.
   constexpr double kMaxCoarsening = 1e30;
   for (double coarsening = 1;; coarsening *= 2) {
     selection.coarsening = coarsening;
-    const bool mayBeCoarser = coarsening < kMaxCoarsening &&
-                              (accuracy.exact || accuracy.pixelError > 0 || coarsening < accuracy.precision);
+    const bool mayBeCoarser =
+        coarsening < kMaxCoarsening &&
+        (accuracy.exact || accuracy.pixelError > 0 || !view.perspective || coarsening < accuracy.precision);
     TeSeamlessAccuracy tried = accuracy;
     if (!mayBeCoarser)
       tried.maxPatches = std::numeric_limits<int>::max();

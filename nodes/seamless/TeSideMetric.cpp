@@ -16,6 +16,9 @@ constexpr double kPrepareLate = 1 + 1e-6;
 /// Pixels a metre at a metre's distance of the camera that stands for one without perspective.
 constexpr double kUsualFocal = 1000;
 
+/// Size of an error of no more than 0 is 0, also at no distance.
+double seenFrom(double distance, double error) { return error > 0 ? error / distance : 0; }
+
 double outside(double value, double low, double high) { return std::max({low - value, value - high, 0.0}); }
 
 } // namespace
@@ -27,7 +30,7 @@ TeSideMetric::TeSideMetric(const TeSeamlessLayout& layout, const TeSeamlessBound
       m_geomorph(accuracy.geomorph), m_perspective(view.perspective),
       m_eye((view.eye - placement.corner) / placement.spacing), m_slack(view.slack / placement.spacing),
       m_heightScale(placement.heightScale / placement.spacing),
-      m_precision(std::max(1.0, accuracy.precision / coarsening)) {
+      m_precision(std::max(view.perspective ? 1.0 : 0.0, accuracy.precision / coarsening)) {
   const TeHeightRange range = bounds ? bounds->range(0, 0, 0) : placement.range;
   const double rise = outside(m_eye.z, range.low * m_heightScale, range.high * m_heightScale);
   m_squaredRise = rise * rise;
@@ -106,9 +109,9 @@ double TeSideMetric::divisionByError(const TeSideKey& side) const {
   const float beyond = m_bounds->beyond(side);
   if (beyond == 0)
     return 0;
-  return m_errorScale * double(beyond) /
-         distanceToBox(side, m_bounds->beyondAcross(side.level), m_bounds->beyondAlong(side.level),
-                       m_bounds->beyondRange(side));
+  return seenFrom(distanceToBox(side, m_bounds->beyondAcross(side.level), m_bounds->beyondAlong(side.level),
+                                m_bounds->beyondRange(side)),
+                  m_errorScale * double(beyond));
 }
 
 float TeSideMetric::detail(const SeenSide& side) const {
@@ -136,7 +139,7 @@ float TeSideMetric::detail(const SeenSide& side) const {
 }
 
 double TeSideMetric::wantedErrors(const SeenSide& side, int index) const {
-  return m_errorScale * double(side.errors[index]) / side.tilesDistance;
+  return seenFrom(side.tilesDistance, m_errorScale * double(side.errors[index]));
 }
 
 float TeSideMetric::detailBefore(double division, int level) const {
@@ -147,15 +150,16 @@ float TeSideMetric::detailBefore(double division, int level) const {
   if (!m_geomorph)
     return 0;
   // What children may reach while their parent's neighbours are undivided.
-  const double start = kPrepareLate * (m_byError ? end * double(TeSeamlessBounds::kMorphRatio)
-                                                 : 1 / (m_layout.branching() - 1 / m_precision));
+  const double start =
+      kPrepareLate * (m_byError ? end * double(TeSeamlessBounds::kMorphRatio)
+                                : 1 / (m_layout.branching() - 1 / std::max(1.0, m_precision)));
   if (start >= end)
     return 0;
   return float(top * std::clamp((division - start) / (end - start), 0.0, 1.0));
 }
 
 double TeSideMetric::errorPixels(const SeenSide& side, int index) const {
-  return side.errors[index] == 0 ? 0 : m_pixels * double(side.errors[index]) / side.tilesDistance;
+  return seenFrom(side.tilesDistance, m_pixels * double(side.errors[index]));
 }
 
 double TeSideMetric::squaredPrecision(const SeenSide& side, int index) const {

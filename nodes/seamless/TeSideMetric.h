@@ -7,7 +7,8 @@
 ///
 /// Precision: e = p·l / d with the side's length l and distance d, where heights differ from the eye's by at
 /// least the least difference of the whole terrain; patches with a side of e > 1 are divided. Without
-/// perspective d is that at which a camera of 1000 pixels focal length sees as many pixels a metre.
+/// perspective d is that at which a camera of 1000 pixels focal length sees as many pixels a metre, the same
+/// for all sides, which so fit with any p.
 /// Error: a side's own static errors (TeSideBounds) over the distances to their boxes.
 /// Either way what a patch does follows from its own sides, and neighbours fit: docs/seamless-patches.md.
 class TeSideMetric {

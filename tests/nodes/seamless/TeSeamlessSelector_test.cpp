@@ -145,3 +145,45 @@ TEST(TeSeamlessSelector, countsTriangles) {
   EXPECT_EQ(selection.triangles * 3, indices);
   EXPECT_GT(selection.triangles, 1000);
 }
+
+// A parallel view of a high-piled terrain wants every sample, of which there are too many; then it is coarser
+// than the document's precision 1 would have it, and fits.
+TEST(TeSeamlessSelector, parallelViewsKeepTheBudgetOfPatches) {
+  const TeSeamlessLayout terrain = layout(1024, 4, 3);
+  const TeSeamlessParts parts(terrain);
+  TeWatertight mesh(terrain.resolution());
+  TeLodView view = viewFrom({500, 500, 1e6}, 1e6);
+  view.perspective = false;
+  for (const bool geomorph : {false, true}) {
+    TeSeamlessAccuracy accuracy;
+    accuracy.geomorph = geomorph;
+    accuracy.maxPatches = 100;
+    TeSeamlessSelection selection;
+    TeSeamlessSelector(terrain, nullptr).select(view, TeSeamlessPlacement(), accuracy, nullptr, selection);
+    EXPECT_LE(selection.patches.size(), 100u);
+    EXPECT_GT(selection.patches.size(), 5u);
+    EXPECT_GT(selection.coarsening, 1);
+    expectWatertight(selection, terrain, parts, mesh);
+  }
+}
+
+// Heights of no height have no error, wherever the eye is.
+TEST(TeSeamlessSelector, terrainThatIsPressedFlatIsDrawnByItsErrors) {
+  std::mt19937 random(5);
+  const TeSeamlessLayout terrain = layout(256, 4, 3);
+  const TeSeamlessSelector selector(
+      terrain, TeSeamlessBounds::create(terrain, stressMap(StressField::Rough, 256, random)).value());
+  TeSeamlessPlacement placement;
+  placement.heightScale = 0;
+  for (const bool geomorph : {false, true}) {
+    TeSeamlessAccuracy accuracy;
+    accuracy.pixelError = 1;
+    accuracy.geomorph = geomorph;
+    TeSeamlessSelection selection;
+    selector.select(viewFrom({100, 60, 0}), placement, accuracy, nullptr, selection);
+    ASSERT_EQ(selection.patches.size(), 1u);
+    for (const float detail : selection.patches[0].detail)
+      EXPECT_EQ(detail, 0);
+    EXPECT_EQ(selection.errorBound, 0);
+  }
+}
