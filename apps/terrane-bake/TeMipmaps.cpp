@@ -12,7 +12,10 @@
 #include <unistd.h>
 
 #include <cstdio>
+#include <filesystem>
 #include <optional>
+#include <system_error>
+#include <vector>
 
 namespace {
 
@@ -42,6 +45,8 @@ public:
     if (TeStatus ok = chooseBounds(*source); !ok)
       return badInput(ok.error());
     const TePyramidPlan plan{m_options.output, source->level(), source->sampleBytes(), source->fingerprint()};
+    if (TeStatus ok = keepsInput(); !ok)
+      return badInput(ok.error());
     if (TeStatus ok = mayWrite(plan); !ok)
       return badInput({ok.error().message + "; --force replaces what is there"});
     if (Outcome end = measure(*source); end.status != TeExitSuccess)
@@ -72,14 +77,32 @@ private:
     return {};
   }
 
+  /// What is read must not be among the files that are written or removed.
+  TeStatus keepsInput() const {
+    std::vector<std::string> files = tePyramidBoundsBeside(m_options.output);
+    for (int level = 0; level <= kTeHighestPyramidLevel; ++level)
+      files.push_back(tePyramidLevelFile(m_options.output, level));
+    for (const std::string& file : files)
+      for (const std::string& touched : {file, TePartFile::partOf(file)}) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(m_options.input, touched, ignored))
+          return TeError{m_options.input + ": would be replaced, as one of the files of " + m_options.output};
+      }
+    return {};
+  }
+
   TeStatus mayWrite(const TePyramidPlan& plan) const {
     if (m_options.force)
       return {};
     if (TeStatus ok = TePyramidWriter::check(plan); !ok)
       return ok;
-    const std::string description = TeTerrainDescription::besidePyramid(plan.name);
-    if (!exists(TePyramidWriter::journalOf(plan)) && exists(description))
-      return TeError{description + ": exists already"};
+    if (exists(TePyramidWriter::journalOf(plan)))
+      return {};
+    std::vector<std::string> files = tePyramidBoundsBeside(plan.name);
+    files.push_back(TeTerrainDescription::besidePyramid(plan.name));
+    for (const std::string& file : files)
+      if (exists(file))
+        return TeError{file + ": exists already"};
     return {};
   }
 
@@ -115,7 +138,8 @@ private:
   Outcome complete(const TeBakeSource& source, TePyramidWriter& writer) {
     const std::string description = TeTerrainDescription::besidePyramid(m_options.output);
     ::unlink(description.c_str());
-    teRemovePyramidBounds(m_options.output);
+    for (const std::string& bounds : tePyramidBoundsBeside(m_options.output))
+      ::unlink(bounds.c_str());
     if (TeStatus ok = writer.finish(); !ok)
       return failed(ok.error());
     if (TeStatus ok = describe(source).write(description); !ok)

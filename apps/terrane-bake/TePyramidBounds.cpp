@@ -3,9 +3,8 @@
 #include "nodes/clipmap/TePyramidReader.h"
 #include "nodes/seamless/TeSeamlessBoundsFile.h"
 
-#include <unistd.h>
-
-#include <vector>
+#include <filesystem>
+#include <system_error>
 
 namespace {
 
@@ -53,9 +52,17 @@ TeResult<std::string> teWritePyramidBounds(const std::string& name, const TeSeam
   return file;
 }
 
-void teRemovePyramidBounds(const std::string& name) {
+std::vector<std::string> tePyramidBoundsBeside(const std::string& name) {
+  std::vector<std::string> files;
   for (int resolution = 2; resolution <= TeSeamlessLayout::kMaxPatchResolution; resolution *= 2)
-    for (int levels = 2; levels <= TeSeamlessLayout::kMaxLevels; ++levels)
-      if (const auto layout = TeSeamlessLayout::create(TeSeamlessLayout::kMaxResolution, resolution, levels))
-        ::unlink(TeSeamlessBoundsFile::nameFor(name, *layout).c_str());
+    for (int levels = 2; levels <= TeSeamlessLayout::kMaxLevels; ++levels) {
+      const auto layout = TeSeamlessLayout::create(TeSeamlessLayout::kMaxResolution, resolution, levels);
+      std::error_code ignored;
+      if (!layout)
+        continue;
+      if (const std::string file = TeSeamlessBoundsFile::nameFor(name, *layout);
+          std::filesystem::exists(std::filesystem::symlink_status(file, ignored)))
+        files.push_back(file);
+    }
+  return files;
 }

@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <string>
+#include <vector>
 
 /// Measures the bounds for Seamless Patches on the highest level of a pyramid of heights, in the numbers of
 /// its samples, and writes them beside it; returns the file's name. Memory: 8 MB and the bounds. Error: the
@@ -11,5 +12,5 @@
 TeResult<std::string> teWritePyramidBounds(const std::string& name, const TeSeamlessLayout& layout,
                                            const std::function<void(double)>& progress);
 
-/// Removes bounds of all layouts beside a pyramid.
-void teRemovePyramidBounds(const std::string& name);
+/// The files of bounds that there are beside a pyramid, whatever their layouts.
+std::vector<std::string> tePyramidBoundsBeside(const std::string& name);

@@ -1,6 +1,7 @@
 #include "generators/base/TePartFile.h"
 
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -41,6 +42,12 @@ TeResult<TePartFile> TePartFile::open(const std::string& path, std::uint64_t kee
   struct stat status;
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode))
     return TeError{part + ": not a plain file"};
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+    return TeError{part + ": another program is writing it"};
+  // Between opening and locking the other one may have finished: what is open here has its name already.
+  struct stat named;
+  if (::stat(part.c_str(), &named) != 0 || named.st_dev != status.st_dev || named.st_ino != status.st_ino)
+    return TeError{part + ": another program has just finished it"};
   if (std::uint64_t(status.st_size) < keep)
     return TeError{part + ": " + std::to_string(status.st_size) + " bytes, but " + std::to_string(keep) +
                    " were written"};

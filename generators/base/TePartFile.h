@@ -13,7 +13,7 @@
 class TePartFile {
 public:
   /// keep: bytes of an earlier part that are kept; the rest of it is cut off. Error: cannot be written, no
-  /// plain file, or shorter than `keep`.
+  /// plain file, shorter than `keep`, or another process is writing it (on file systems that can tell).
   static TeResult<TePartFile> open(const std::string& path, std::uint64_t keep = 0);
   /// The whole file at once.
   static TeStatus writeWhole(const std::string& path, const std::string& contents);

@@ -86,6 +86,14 @@ TeResult<TePyramidJournal> TePyramidJournal::open(const std::string& path) {
   struct stat status;
   if (::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode) || status.st_nlink == 0)
     return TeError{path + ": no plain file, or another program has just finished this pyramid"};
+  // What is appended must not follow a line that was cut off.
+  bool exists = false;
+  const TeResult<std::string> text = contentsOf(path, exists);
+  if (!text)
+    return text.error();
+  const std::size_t whole = text->rfind('\n') + 1; // 0 if there is no line
+  if (::ftruncate(descriptor, off_t(whole)) != 0)
+    return TeError{path + ": cannot be written: " + std::strerror(errno)};
   return journal;
 }
 

@@ -19,7 +19,7 @@ public:
   /// journal.
   static TeResult<State> read(const std::string& path);
 
-  /// Opens a journal to go on with, or an empty one. Error: cannot be written, or in use.
+  /// Opens a journal to go on with, without an incomplete last line, or an empty one. Error: cannot be written, or in use.
   static TeResult<TePyramidJournal> open(const std::string& path);
 
   TePyramidJournal(TePyramidJournal&& other) noexcept;

@@ -102,6 +102,8 @@ TeStatus TePyramidWriter::begin() {
     }
     m_files[std::size_t(level)] = std::move(*file);
   }
+  for (int level = m_plan.level + 1; level <= kTeHighestPyramidLevel; ++level)
+    ::unlink(TePartFile::partOf(tePyramidLevelFile(m_plan.name, level)).c_str());
   return {};
 }
 

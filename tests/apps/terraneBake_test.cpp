@@ -261,6 +261,28 @@ TEST_F(TerraneBake, ExistingPyramidsAreKeptUnlessForced) {
   expectRefused({"mipmaps", other, scratch("out")}, 2, "--force");
 }
 
+TEST_F(TerraneBake, ExistingBoundsAndDescriptionsAreKeptUnlessForced) {
+  const std::string raw = put("in.raw", teRaw(hills(33, 33), false));
+  for (const char* name : {"out_bounds_8_2.bin", "out.json"}) {
+    put(name, "of something else");
+    expectRefused({"mipmaps", raw, scratch("out")}, 2, name);
+    EXPECT_EQ(teReadFile(scratch(name)), "of something else");
+    ASSERT_EQ(bake(raw, {"--force"}).status, 0);
+    EXPECT_NE(teReadFile(scratch(name)), "of something else");
+    removeOutput();
+  }
+}
+
+TEST_F(TerraneBake, TheInputIsNeitherReplacedNorRemoved) {
+  const std::string whole = teRaw(hills(33, 33), false);
+  for (const char* name : {"out_3.raw", "out_5.raw", "out_7.raw", "out_4.raw.part", "out_bounds_8_2.bin"}) {
+    const std::string raw = put(name, whole);
+    expectRefused({"mipmaps", raw, scratch("out"), "--raw", "--force"}, 2, name);
+    EXPECT_TRUE(teReadFile(raw) == whole) << name;
+    fs::remove(raw);
+  }
+}
+
 TEST_F(TerraneBake, BadInput) {
   expectRefused({"mipmaps", "/no/such.raw", scratch("out")}, 2, "/no/such.raw");
   expectRefused({"mipmaps", "/no/such.tif", scratch("out")}, 2, "/no/such.tif");

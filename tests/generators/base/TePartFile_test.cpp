@@ -85,6 +85,21 @@ TEST_F(TePartFileTest, DiscardedLeavesNothing) {
   EXPECT_FALSE(fs::exists(TePartFile::partOf(file)));
 }
 
+TEST_F(TePartFileTest, OnlyOneMayWrite) {
+  const std::string file = path("a.raw");
+  TeResult<TePartFile> first = TePartFile::open(file);
+  ASSERT_TRUE(first);
+  ASSERT_TRUE(first->write("first", 5));
+  ASSERT_TRUE(first->flush());
+  const TeResult<TePartFile> second = TePartFile::open(file);
+  ASSERT_FALSE(second);
+  EXPECT_NE(second.error().message.find(TePartFile::partOf(file)), std::string::npos);
+  ASSERT_TRUE(first->finish());
+  EXPECT_EQ(contents(file), "first");
+  EXPECT_TRUE(TePartFile::open(file));
+  EXPECT_EQ(contents(file), "first");
+}
+
 TEST_F(TePartFileTest, WhatCannotBeWrittenIsNamed) {
   const TeResult<TePartFile> missing = TePartFile::open("/no/such/folder/a.raw");
   ASSERT_FALSE(missing);

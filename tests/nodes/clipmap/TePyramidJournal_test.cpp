@@ -68,6 +68,14 @@ TEST_F(TePyramidJournalTest, EveryPrefixIsAnEarlierStateOrNothing) {
   }
 }
 
+TEST_F(TePyramidJournalTest, GoesOnAfterALineThatWasCutOff) {
+  put("terrane pyramid 000000000000002a\n100\n20");
+  TeResult<TePyramidJournal> journal = TePyramidJournal::open(m_path);
+  ASSERT_TRUE(journal) << journal.error().message;
+  ASSERT_TRUE(journal->record(200));
+  EXPECT_EQ(get(), "terrane pyramid 000000000000002a\n100\n200\n");
+}
+
 TEST_F(TePyramidJournalTest, OtherFilesAreNoJournals) {
   for (const char* text : {"a diary\n", "x", "terrane pyramid\n", "terrane pyramid xyz\n",
                            "terrane pyramid 000000000000002a\n-3\n", "terrane pyramid 2a\nmany\n"}) {

@@ -102,6 +102,7 @@ TEST_F(TePyramidWriterTest, WorkOnSomethingElseIsRefusedAndReplaced) {
   writeRows(*writer, other, tePyramidSide(4));
   ASSERT_TRUE(writer->finish());
   expectPyramid(other);
+  EXPECT_FALSE(fs::exists(TePartFile::partOf(file(5)))); // of what was replaced
 }
 
 TEST_F(TePyramidWriterTest, GoesOnAfterTheLastCheckpoint) {
