@@ -14,6 +14,7 @@
 #include <Inventor/bundles/SoMaterialBundle.h>
 #include <Inventor/elements/SoCacheElement.h>
 #include <Inventor/elements/SoGLCacheContextElement.h>
+#include <Inventor/elements/SoGLLazyElement.h>
 #include <Inventor/errors/SoDebugError.h>
 #include <Inventor/misc/SoState.h>
 
@@ -187,6 +188,8 @@ void SoTeSeamlessPatches::GLRender(SoGLRenderAction* action) {
     return;
   SoMaterialBundle materials(action);
   materials.sendFirst();
+  // Its triangles are counter-clockwise, whatever hints a neighbour needs.
+  SoGLLazyElement::sendVertexOrdering(state, SoLazyElement::CCW);
   const TeStatus status = m_viewers.draw(action);
   const std::string message = status ? "" : status.error().message;
   if (message != m_drawingError && !message.empty())

@@ -241,6 +241,8 @@ TeSeamlessViewer* TeSeamlessViewers::select(SoAction* action, const SbLine* alon
     if (!viewer->follow(m_scene, 0, seen->eye, false))
       return nullptr;
   }
+  if (m_scene.content.clipmap && !viewer->heights)
+    return nullptr; // nothing was drawn: they could not be read
   const TeSeamlessTerrainPtr& terrain = m_scene.content.terrain;
   const TeSeamlessAccuracy wanted = accuracy(state);
   TeLodView held = viewer->choice.held(terrain, *seen, m_scene.placement, wanted);

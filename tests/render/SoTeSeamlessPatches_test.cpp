@@ -1,5 +1,6 @@
 #include "nodes/seamless/SoTeSeamlessPatches.h"
 
+#include "nodes/coinWarnings.h"
 #include "nodes/seamless/TeSeamlessObjects.h"
 #include "render/TeGlNeighbour.h"
 #include "render/TeSeamlessNodeTest.h"
@@ -18,11 +19,13 @@
 #include <Inventor/nodes/SoDirectionalLight.h>
 #include <Inventor/nodes/SoFaceSet.h>
 #include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoShapeHints.h>
 #include <Inventor/nodes/SoTransform.h>
 #include <Inventor/nodes/SoTranslation.h>
 #include <Inventor/sensors/SoNodeSensor.h>
 #include <Inventor/sensors/SoSensorManager.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <random>
 
@@ -423,6 +426,59 @@ TEST_F(SoTeSeamlessPatchesTest, NothingIsLeftInOpenGl) {
   // The node is gone; its objects go with the next frame in their context.
   show(empty.get());
   EXPECT_EQ(objects(context()), before);
+}
+
+TEST_F(SoTeSeamlessPatchesTest, NothingIsKeptForAContextThatEndsAfterTheNode) {
+  const HillsPyramid pyramid(256);
+  const std::int64_t live = TeSeamlessObjects::live();
+  auto other = TeContext::create(s_kind, 64, 64);
+  ASSERT_TRUE(other);
+  ASSERT_TRUE((*other)->makeCurrent());
+  {
+    auto renderer = TeSceneRenderer::create(**other, 64, 64);
+    ASSERT_TRUE(renderer);
+    EXPECT_TRUE((*renderer)->render(overview(pyramid.node(65).get()).get()));
+    EXPECT_TRUE((*renderer)->render(overview(hillsNode().get()).get()));
+  }
+  EXPECT_GT(TeSeamlessObjects::live(), live); // the nodes are gone already
+  other->reset();
+  EXPECT_EQ(TeSeamlessObjects::live(), live);
+  ASSERT_TRUE(context().makeCurrent());
+}
+
+// What could not be drawn is nothing to actions either, not a plain.
+TEST_F(SoTeSeamlessPatchesTest, HeightsThatCannotBeReadAreNotDrawnAndNotMet) {
+  const HillsPyramid pyramid(256);
+  const auto node = pyramid.node(257);
+  static_cast<SoTeClipmap*>(node->heights.getValue())->cacheBytes = 0;
+  const auto scene = overview(node.get());
+  const CoinWarnings warnings;
+  EXPECT_EQ(node->getError(), ""); // read once
+  std::filesystem::resize_file(tePyramidLevelFile(pyramid.name(), pyramid.top()), 100);
+  const TePicture picture = show(scene.get());
+  EXPECT_EQ(countMagenta(picture), 320 * 240);
+  EXPECT_EQ(warnings.lines.size(), 1u);
+  SoRayPickAction pick(SbViewportRegion(320, 240));
+  pick.setRay(SbVec3f(10, 20, 1000), SbVec3f(0, 0, -1));
+  pick.apply(scene.get());
+  EXPECT_FALSE(pick.getPickedPoint());
+  SoGetPrimitiveCountAction count(SbViewportRegion(320, 240));
+  count.apply(scene.get());
+  EXPECT_EQ(count.getTriangleCount(), 0);
+}
+
+// As with Coin's own shapes.
+TEST_F(SoTeSeamlessPatchesTest, ShapeHintsDoNotTurnItInsideOut) {
+  const int alone = countMagenta(show(overview(hillsNode().get()).get()));
+  for (const auto order : {SoShapeHints::CLOCKWISE, SoShapeHints::COUNTERCLOCKWISE}) {
+    TeNodePtr<SoSeparator> group(new SoSeparator);
+    auto* hints = new SoShapeHints;
+    hints->vertexOrdering = order;
+    hints->shapeType = SoShapeHints::SOLID;
+    group->addChild(hints);
+    group->addChild(hillsNode().get());
+    EXPECT_EQ(countMagenta(show(overview(group.get()).get())), alone) << order;
+  }
 }
 
 TEST_F(SoTeSeamlessPatchesTest, TwoContextsTakeTurns) {
