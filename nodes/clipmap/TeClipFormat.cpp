@@ -39,6 +39,8 @@ float teDrawnHeight(std::uint16_t sample, TeClipFormat format) {
   return teFloatOfHalf(teHalfOfSample(sample)) * teTexelScale(format);
 }
 
+float teDrawnRounding(TeClipFormat format) { return format == TeClipFormat::Half ? 16.0f : 0.0f; }
+
 std::uint16_t teHalfOfSample(std::uint16_t sample) {
   static const std::vector<std::uint16_t> table = [] {
     std::vector<std::uint16_t> halves(65536);

@@ -15,6 +15,8 @@ int teTexelBytes(TeClipFormat format);
 float teTexelScale(TeClipFormat format);
 /// The height that a shader gets for a sample, to the bit; not for Colour.
 float teDrawnHeight(std::uint16_t sample, TeClipFormat format);
+/// By how much that may differ from the sample: 16 for Half, else 0.
+float teDrawnRounding(TeClipFormat format);
 /// The bits of the half nearest to sample / 65535; of two equally near, the even one.
 std::uint16_t teHalfOfSample(std::uint16_t sample);
 float teFloatOfHalf(std::uint16_t half);

@@ -13,7 +13,7 @@ bool isSame(const TeSeamlessPlacement& a, const TeSeamlessPlacement& b) {
 
 bool isSame(const TeSeamlessAccuracy& a, const TeSeamlessAccuracy& b) {
   return a.precision == b.precision && a.pixelError == b.pixelError && a.exact == b.exact &&
-         a.geomorph == b.geomorph && a.maxPatches == b.maxPatches;
+         a.geomorph == b.geomorph && a.maxPatches == b.maxPatches && a.rounding == b.rounding;
 }
 
 bool isSame(const TeLodView& a, const TeLodView& b) {

@@ -26,6 +26,9 @@ struct TeSeamlessAccuracy {
   bool exact = false;    ///< every sample in view, in place of both
   bool geomorph = false;
   int maxPatches = 20000; ///< budget of patches drawn, from 1
+  /// By how much heights that are drawn may differ from their samples, in the unit of these (the format of a
+  /// texture): part of the frame's errorBound, but not of what pixelError asks for.
+  double rounding = 0;
 };
 
 /// Chooses patches and the resolutions of their sides for a view: Seamless Patches, docs/seamless-patches.md.

@@ -168,6 +168,8 @@ TeSeamlessAccuracy TeSeamlessViewers::accuracy(SoState* state) const {
   TeSeamlessAccuracy accuracy = m_scene.accuracy;
   accuracy.precision = std::max(1.0, accuracy.precision * factor);
   accuracy.pixelError /= factor;
+  if (m_scene.content.clipmap)
+    accuracy.rounding = double(teDrawnRounding(m_scene.content.clipmap->getFormat()));
   return accuracy;
 }
 

@@ -30,7 +30,8 @@ TeSideMetric::TeSideMetric(const TeSeamlessLayout& layout, const TeSeamlessBound
       m_geomorph(accuracy.geomorph), m_perspective(view.perspective),
       m_eye((view.eye - placement.corner) / placement.spacing), m_slack(view.slack / placement.spacing),
       m_heightScale(placement.heightScale / placement.spacing),
-      m_precision(std::max(view.perspective ? 1.0 : 0.0, accuracy.precision / coarsening)) {
+      m_precision(std::max(view.perspective ? 1.0 : 0.0, accuracy.precision / coarsening)),
+      m_rounding(accuracy.rounding) {
   const TeHeightRange range = bounds ? bounds->range(0, 0, 0) : placement.range;
   const double rise = outside(m_eye.z, range.low * m_heightScale, range.high * m_heightScale);
   m_squaredRise = rise * rise;
@@ -159,7 +160,7 @@ float TeSideMetric::detailBefore(double division, int level) const {
 }
 
 double TeSideMetric::errorPixels(const SeenSide& side, int index) const {
-  return seenFrom(side.tilesDistance, m_pixels * double(side.errors[index]));
+  return seenFrom(side.tilesDistance, m_pixels * (double(side.errors[index]) + m_rounding));
 }
 
 double TeSideMetric::squaredPrecision(const SeenSide& side, int index) const {

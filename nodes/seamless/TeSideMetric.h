@@ -38,7 +38,7 @@ public:
   /// False where distances alone ensure what detailBefore() asks of a patch's neighbours.
   bool asksNeighbours() const { return m_byError || m_geomorph; }
 
-  /// Screen error of a side at a whole resolution index, pixels; needs bounds.
+  /// Screen error of a side at a whole resolution index, with the rounding of heights, pixels; needs bounds.
   double errorPixels(const SeenSide& side, int index) const;
   /// Square of the document's p with which the side would be drawn at that index or higher.
   double squaredPrecision(const SeenSide& side, int index) const;
@@ -58,6 +58,7 @@ private:
   double m_slack;       ///< the true eye may be nearer by this
   double m_heightScale; ///< samples' distances a unit of height
   double m_precision;
+  double m_rounding;     ///< of heights
   double m_squaredRise;  ///< of the eye above or below the range of all heights
   double m_flatDistance; ///< stands for all distances without perspective
   double m_pixels;       ///< of one unit of height at a distance of one sample's

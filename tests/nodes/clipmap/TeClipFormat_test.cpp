@@ -11,6 +11,11 @@ TEST(TeClipFormat, SharpFormatsDrawEverySampleAsItIs) {
       ASSERT_EQ(teDrawnHeight(std::uint16_t(sample), format), float(sample));
 }
 
+TEST(TeClipFormat, SharpFormatsAreNotRounded) {
+  for (const TeClipFormat format : {TeClipFormat::Short, TeClipFormat::Float})
+    EXPECT_EQ(teDrawnRounding(format), 0);
+}
+
 TEST(TeClipFormat, HalvesAreTheNearestOnes) {
   double worst = 0;
   for (int sample = 0; sample < 65536; sample++) {
@@ -24,7 +29,7 @@ TEST(TeClipFormat, HalvesAreTheNearestOnes) {
     worst =
         std::max(worst, std::abs(double(teDrawnHeight(std::uint16_t(sample), TeClipFormat::Half)) - sample));
   }
-  EXPECT_LE(worst, 16);
+  EXPECT_LE(worst, double(teDrawnRounding(TeClipFormat::Half)));
   EXPECT_GT(worst, 15);
   EXPECT_EQ(teHalfOfSample(0), 0);
   EXPECT_EQ(teHalfOfSample(65535), 0x3c00); // 1

@@ -1,3 +1,4 @@
+#include "nodes/clipmap/TeClipFormat.h"
 #include "nodes/lod/TeScreenError.h"
 #include "nodes/seamless/SeamlessViews.h"
 
@@ -21,11 +22,11 @@ struct Tally {
 };
 
 TeScreenError::Report measured(const TeSeamlessSelection& selection, const TeSeamlessLayout& layout,
-                               const TeSeamlessParts& parts, const TeHeightMap& map, const TeLodView& view,
-                               TeScreenError& error) {
+                               const TeSeamlessParts& parts, const TeSeamlessHeights& heights,
+                               const TeLodView& view, TeScreenError& error) {
   std::vector<TeSeamlessMesh::Triangle> triangles;
   for (const TeSeamlessPatch& patch : selection.patches)
-    TeSeamlessMesh::appendPatch(patch, layout, parts, MapHeights(map), triangles);
+    TeSeamlessMesh::appendPatch(patch, layout, parts, heights, triangles);
   EXPECT_EQ(std::int64_t(triangles.size()), selection.triangles);
   error.clear();
   const auto vertex = [](const TeSeamlessMesh::Vertex& v) {
@@ -35,6 +36,18 @@ TeScreenError::Report measured(const TeSeamlessSelection& selection, const TeSea
     error.add(vertex(triangle.a), vertex(triangle.b), vertex(triangle.c));
   return error.measure(view);
 }
+
+/// Whole numbers as a texture of halves has them.
+class HalfHeights final : public TeSeamlessHeights {
+public:
+  explicit HalfHeights(const TeHeightMap& map) : m_map(map) {}
+  float height(std::int32_t column, std::int32_t row, int) const override {
+    return teDrawnHeight(std::uint16_t(m_map.at(column, row)), TeClipFormat::Half);
+  }
+
+private:
+  const TeHeightMap& m_map;
+};
 
 } // namespace
 
@@ -80,7 +93,8 @@ TEST(SeamlessSelection, ErrorBoundHolds) {
         TeLodView inside = view; // not what lies on a plane but for rounding
         for (glm::dvec4& plane : inside.planes)
           plane.w -= 1e-6;
-        const TeScreenError::Report report = measured(selection, layout, parts, map, inside, error);
+        const TeScreenError::Report report =
+            measured(selection, layout, parts, MapHeights(map), inside, error);
         SCOPED_TRACE("layout " + std::to_string(minResolution) + " " + std::to_string(levels) + ", field " +
                      std::to_string(field) + ", trial " + std::to_string(trial));
         ASSERT_EQ(report.uncovered, 0);
@@ -111,4 +125,31 @@ TEST(SeamlessSelection, ErrorBoundHolds) {
   std::printf("SeamlessSelection.ErrorBoundHolds: %d frames, %d of them within the wanted error; true error "
               "on average %.2f of the bound, at most %.4f\n",
               tally.frames, tally.wanted, tally.ratios / tally.frames, tally.closest);
+}
+
+// Also where textures round the heights: even all vertices are then off.
+TEST(SeamlessSelection, ErrorBoundHoldsOfRoundedHeights) {
+  std::mt19937 random(6);
+  const TeSeamlessLayout layout = TeSeamlessLayout::create(128, 4, 3).value();
+  TeHeightMap map = TeHeightMap::create(129, 129).value();
+  for (int y = 0; y < 129; y++)
+    for (int x = 0; x < 129; x++)
+      map.at(x, y) = float(45000 + random() % 999);
+  const TeSeamlessSelector selector(layout, TeSeamlessBounds::create(layout, map).value());
+  const TeSeamlessParts parts(layout);
+  TeSeamlessPlacement placement;
+  placement.heightScale = 0.01;
+  TeScreenError error(map, placement.corner, placement.spacing, placement.heightScale);
+  TeSeamlessAccuracy accuracy;
+  accuracy.rounding = double(teDrawnRounding(TeClipFormat::Half));
+  TeSeamlessSelection selection;
+  for (const bool exact : {false, true}) {
+    accuracy.exact = exact;
+    const TeLodView view = viewFrom({60, 70, 600});
+    selector.select(view, placement, accuracy, nullptr, selection);
+    const double worst = measured(selection, layout, parts, HalfHeights(map), view, error).worst;
+    EXPECT_GT(worst, exact ? 0.1 : 1);
+    EXPECT_LE(worst, selection.errorBound * (1 + 1e-6));
+    EXPECT_LT(selection.errorBound, 3 * worst);
+  }
 }
