@@ -33,6 +33,10 @@ TeResult<Scale> readScale(const std::string& name) {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
     return scale;
+  constexpr std::uintmax_t kMostBytes = 1 << 16;
+  if (!std::filesystem::is_regular_file(path, ignored) ||
+      std::filesystem::file_size(path, ignored) > kMostBytes)
+    return TeError{path + ": not the description of a pyramid"};
   std::ifstream stream(path);
   const auto json = nlohmann::json::parse(stream, nullptr, false);
   const auto number = [&](const char* key, double& value) {

@@ -137,7 +137,7 @@ TeResult<TeViewContent> TeViewContent::fromDem(const TeViewOptions& options, boo
   content.description = options.dem;
   content.root = terrain->root;
   content.ground =
-      std::make_unique<TeMapGround>(dem->heights, terrain->corner, terrain->spacing, terrain->heightScale);
+      std::make_unique<TeMapGround>(terrain->coarse, terrain->corner, terrain->spacing, terrain->heightScale);
   findBox(content);
   return content;
 }

@@ -1,6 +1,7 @@
 #include "apps/terrane-view/TeViewOptions.h"
 
 #include "apps/terrane-view/TeViewPath.h"
+#include "nodes/clipmap/TeClipWindows.h"
 
 #include <cmath>
 #include <cstdio>
@@ -86,7 +87,9 @@ void TeViewOptions::addTerrain(TeCommandLine& commandLine) {
       .addNumber("--height-scale", heightScale, 1e-9, 1e6,
                  "Stretches heights; of a pyramid: metres a step (default: 1, or as the pyramid says)")
       ->group(group);
-  commandLine.addInteger("--clip-size", clipSize, 3, 8193, "Samples a side of a clip window (default: 513)")
+  commandLine
+      .addInteger("--clip-size", clipSize, TeClipWindows::kMinSize, TeClipWindows::kMaxSize,
+                  "Samples a side of a clip window (default: 513)")
       ->group(group);
   commandLine
       .addInteger("--patch-resolution", patchResolution, 2, 512, "Lowest resolution of a patch (default: 16)")

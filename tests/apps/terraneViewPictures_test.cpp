@@ -134,6 +134,15 @@ TEST_F(TerraneViewPictures, SizeAndHeightCanBeStretched) {
   EXPECT_NEAR(report()["box_m"][1][2].get<double>() * 2, high, 0.01);
 }
 
+TEST_F(TerraneViewPictures, PathsKeepAboveStretchedHeights) {
+  draw(hills({"--height-scale", "3", "--path", "circle", "--frames", "2", "--dt", "0.1"}));
+  const nlohmann::json& eye = report()["eye_m"];
+  const double ground =
+      TeViewInputs::hills(0.5 + eye[0].get<double>() / 1000, 0.5 + eye[1].get<double>() / 1000);
+  EXPECT_GT(ground, 10);
+  EXPECT_GT(eye[2].get<double>(), 3 * ground + 9);
+}
+
 TEST_F(TerraneViewPictures, APyramidLooksLikeTheFileItWasMadeFrom) {
   const TePicture white{2, 2, std::vector<std::uint8_t>(16, 255)};
   ASSERT_TRUE(white.writePng(scratch("white.png")));

@@ -3,6 +3,8 @@
 #include "apps/TeAppRun.h"
 #include "apps/TeViewInputs.h"
 
+#include <sys/stat.h>
+
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -56,7 +58,7 @@ TEST_F(TerraneViewUsage, NumbersOutOfRange) {
       {"--pixel-error", {"0", "-1", "nan", "inf", "x"}},
       {"--size-m", {"0", "-1", "nan", "1e300"}},
       {"--height-scale", {"0", "-1", "nan", "inf"}},
-      {"--clip-size", {"0", "-1", "1e9", "2.5"}},
+      {"--clip-size", {"0", "4", "-1", "1e9", "2.5"}},
       {"--patch-resolution", {"0", "1", "1024", "x"}},
       {"--levels", {"0", "1", "10", "2.5"}},
       {"--resolution", {"0", "-16", "100000"}},
@@ -113,6 +115,9 @@ TEST_F(TerraneViewUsage, Pyramids) {
   std::ofstream(name + ".json") << "{ \"spacing_m\": \"far\" }";
   expectRefused({"--clipmaps", name, "--context", "osmesa"}, 2, name + ".json");
   std::ofstream(name + ".json") << "[";
+  expectRefused({"--clipmaps", name, "--context", "osmesa"}, 2, name + ".json");
+  std::filesystem::remove(name + ".json");
+  ASSERT_EQ(::mkfifo((name + ".json").c_str(), 0600), 0); // nobody will ever write to it
   expectRefused({"--clipmaps", name, "--context", "osmesa"}, 2, name + ".json");
 }
 
