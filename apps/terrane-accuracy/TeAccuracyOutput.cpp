@@ -1,5 +1,7 @@
 #include "apps/terrane-accuracy/TeAccuracyOutput.h"
 
+#include "generators/base/TePartFile.h"
+
 #include <cstdio>
 #include <filesystem>
 
@@ -12,7 +14,11 @@ TeStatus TeAccuracyOutput::prepare() {
   std::filesystem::create_directories(m_folder, error);
   if (error)
     return TeError{m_folder + ": cannot be made: " + error.message()};
-  return teWriteText(path(".csv"), "");
+  TeResult<TePartFile> file = TePartFile::open(path(".csv")); // what an earlier run wrote stays for now
+  if (!file)
+    return file.error();
+  file->discard();
+  return {};
 }
 
 void TeAccuracyOutput::addPlot(const TePlot& plot, const std::string& suffix) {
@@ -26,9 +32,9 @@ void TeAccuracyOutput::addPlot(const TePlot& plot, const std::string& suffix) {
 
 TeStatus TeAccuracyOutput::write(const TeTable& table) {
   m_report.json()["rows"] = table.json();
-  if (const TeStatus ok = teWriteText(path(".csv"), table.csv()); !ok)
+  if (const TeStatus ok = TePartFile::writeWhole(path(".csv"), table.csv()); !ok)
     return ok;
-  if (const TeStatus ok = teWriteText(path(".md"), "## " + m_name + "\n\n" + m_text); !ok)
+  if (const TeStatus ok = TePartFile::writeWhole(path(".md"), "## " + m_name + "\n\n" + m_text); !ok)
     return ok;
   if (const std::string& report = m_commandLine.common().report; !report.empty())
     if (const TeStatus ok = m_report.write(report); !ok)

@@ -1,6 +1,6 @@
 #include "apps/terrane-accuracy/TePlot.h"
 
-#include "apps/terrane-accuracy/TeTable.h"
+#include "generators/base/TePartFile.h"
 #include "generators/base/TeText.h"
 
 #include <sys/wait.h>
@@ -114,7 +114,7 @@ TeStatus TePlot::write(const std::string& file) const {
       this->script("svg background rgb 'white'", file + ".svg") + this->script("png", file + ".png");
   if (script.empty())
     return TeError{file + ".svg: not drawn, as there is no point in the diagram"};
-  if (const TeStatus ok = teWriteText(file + ".gp", script); !ok)
+  if (const TeStatus ok = TePartFile::writeWhole(file + ".gp", script); !ok)
     return ok;
   for (const char* kind : {".svg", ".png"}) {
     std::error_code ignored;

@@ -3,10 +3,7 @@
 #include "generators/base/TeText.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <limits>
 
 namespace {
@@ -98,13 +95,4 @@ std::string TeTable::markdown() const {
     text += '\n';
   }
   return text;
-}
-
-TeStatus teWriteText(const std::string& file, const std::string& text) {
-  std::ofstream stream(file, std::ios::binary);
-  stream << text;
-  stream.close();
-  if (!stream)
-    return TeError{file + ": cannot be written: " + std::strerror(errno)};
-  return {};
 }

@@ -1,7 +1,5 @@
 #pragma once
 
-#include "generators/base/TeResult.h"
-
 #include <nlohmann/json.hpp>
 
 #include <cstdint>
@@ -35,6 +33,3 @@ private:
   std::vector<std::string> m_columns;
   std::vector<std::vector<Cell>> m_rows;
 };
-
-/// Writes a whole file. Error: names the file.
-TeStatus teWriteText(const std::string& file, const std::string& text);

@@ -49,7 +49,8 @@ void TeViewSession::heard(const TeKeyEvent& event) {
 }
 
 void TeViewSession::drawn(double seconds) {
-  m_log.add(seconds, m_nodes->statistics());
+  if (!m_common.report.empty()) // the log grows with every frame
+    m_log.add(seconds, m_nodes->statistics());
   if (m_common.dt == 0)
     m_frameSeconds = seconds;
 }

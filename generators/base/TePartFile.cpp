@@ -35,8 +35,10 @@ TeError TePartFile::failure(const std::string& path) const {
 
 TeResult<TePartFile> TePartFile::open(const std::string& path, std::uint64_t keep) {
   const std::string part = partOf(path);
-  const int descriptor = ::open(part.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NONBLOCK, 0666);
+  const int descriptor = ::open(part.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_CLOEXEC | O_NONBLOCK, 0666);
   TePartFile file(path, descriptor, keep);
+  if (descriptor < 0 && errno == ELOOP)
+    return TeError{part + ": a link, not a plain file"};
   if (descriptor < 0)
     return file.failure(path);
   struct stat status;

@@ -8,6 +8,8 @@
 
 namespace {
 
+const char* const kNoName = "the name of a pyramid of level files is empty";
+
 TeResult<TePlainFile> openLevel(const std::string& name, int bytesPerSample, int level) {
   const std::string path = tePyramidLevelFile(name, level);
   TeResult<TePlainFile> file = TePlainFile::open(path);
@@ -43,6 +45,8 @@ std::uint64_t TePyramidReader::levelBytes(int level, int bytesPerSample) {
 }
 
 TeResult<int> TePyramidReader::colourBytes(const std::string& name, int wholeLevel) {
+  if (name.empty())
+    return TeError{kNoName};
   TeError error{tePyramidLevelFile(name, 0) + ": there is neither this file nor one of a higher level"};
   for (int level = wholeLevel; level >= 0; level--) {
     for (int bytes : {4, 3}) {
@@ -59,7 +63,7 @@ TeResult<int> TePyramidReader::colourBytes(const std::string& name, int wholeLev
 TeResult<TePyramidReader> TePyramidReader::open(const std::string& name, int bytesPerSample, int wholeLevel,
                                                 int maxLevel) {
   if (name.empty())
-    return TeError{"the name of a pyramid of level files is empty"};
+    return TeError{kNoName};
   if (bytesPerSample < 2 || bytesPerSample > 4)
     return TeError{name + ": samples of " + std::to_string(bytesPerSample) +
                    " bytes; heights have 2, colours 3 or 4"};

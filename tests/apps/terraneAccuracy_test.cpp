@@ -95,6 +95,20 @@ TEST_F(TerraneAccuracy, LodRepeatsButForTimes) {
   EXPECT_EQ(repeatable(contents(scratch("a/lod.json"))), repeatable(contents(scratch("b/lod.json"))));
 }
 
+TEST_F(TerraneAccuracy, ARunThatFailsLeavesEarlierTablesAlone) {
+  const std::vector<std::string> lod = {"lod", "--map",    hills(), "--layout", "4/2",         "--px",
+                                        "4",   "--frames", "1",     "--out",    scratch("out")};
+  std::vector<std::string> first = lod;
+  first.push_back("--no-draw");
+  ASSERT_EQ(run(first).status, 0);
+  const std::string table = contents(scratch("out/lod.csv"));
+  EXPECT_EQ(lines(table).size(), 2u);
+  std::vector<std::string> second = lod;
+  second.insert(second.end(), {"--context", "window"}); // there is no display
+  EXPECT_EQ(run(second).status, 1);
+  EXPECT_EQ(contents(scratch("out/lod.csv")), table);
+}
+
 TEST_F(TerraneAccuracy, LodDrawsBesidePlainOpenGl) {
   const TeChildResult result =
       run({"lod", "--map", hills(), "--layout", "4/2", "--px", "4", "--frames", "2", "--size", "64x48",

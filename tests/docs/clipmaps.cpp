@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -36,7 +38,7 @@ TeStatus drawFrame(TeClipWindows& windows, TeClipmapTexture& texture, glm::dvec2
 //! [frame]
 
 TEST(DocsClipmaps, WindowsOverAPyramid) {
-  const std::string folder = testing::TempDir() + "docs-clipmaps";
+  const std::string folder = testing::TempDir() + "docs-clipmaps-" + std::to_string(::getpid());
   std::filesystem::create_directories(folder);
   for (int level = 0; level <= 10; level++) {
     std::ofstream(tePyramidLevelFile(folder + "/ps_height", level)).close();

@@ -14,6 +14,8 @@
 
 #include <gtest/gtest.h>
 
+#include <unistd.h>
+
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -54,7 +56,8 @@ public:
 
 private:
   std::filesystem::path m_before = std::filesystem::current_path();
-  std::filesystem::path m_folder = std::filesystem::temp_directory_path() / "terrane-docs-seamless";
+  std::filesystem::path m_folder =
+      std::filesystem::temp_directory_path() / ("terrane-docs-seamless-" + std::to_string(::getpid()));
 };
 
 int triangles(SoNode* node) {

@@ -66,3 +66,7 @@ file(WRITE ${SCRATCH}/terrain.iv "#Inventor V2.1 ascii\nTeStaticTerrain { seed 7
 set(ENV{LD_LIBRARY_PATH} ${SCRATCH}/prefix/${LIBDIR})
 run(${BUILD}/bin/readByName ${SCRATCH}/terrain.iv TeStaticTerrain ${SCRATCH}/terrain-again.iv)
 expect_same("TeStaticTerrain: 17672 triangles\n")
+file(WRITE ${SCRATCH}/seamless.iv "#Inventor V2.1 ascii\nTeSeamlessPatches { }\n")
+run(${BUILD}/bin/readByName ${SCRATCH}/seamless.iv TeSeamlessPatches ${SCRATCH}/seamless-again.iv)
+file(WRITE ${SCRATCH}/clipmap.iv "#Inventor V2.1 ascii\nSeparator { TeClipmap { } Cube { } }\n")
+run(${BUILD}/bin/readByName ${SCRATCH}/clipmap.iv TeClipmap ${SCRATCH}/clipmap-again.iv)

@@ -100,6 +100,15 @@ TEST_F(TePartFileTest, OnlyOneMayWrite) {
   EXPECT_EQ(contents(file), "first");
 }
 
+TEST_F(TePartFileTest, DoesNotWriteThroughLinks) {
+  std::ofstream(path("precious")) << "kept";
+  fs::create_symlink(path("precious"), TePartFile::partOf(path("a.raw")));
+  const TeStatus refused = TePartFile::writeWhole(path("a.raw"), "text");
+  ASSERT_FALSE(refused);
+  EXPECT_NE(refused.error().message.find("a.raw.part"), std::string::npos);
+  EXPECT_EQ(contents(path("precious")), "kept");
+}
+
 TEST_F(TePartFileTest, WhatCannotBeWrittenIsNamed) {
   const TeResult<TePartFile> missing = TePartFile::open("/no/such/folder/a.raw");
   ASSERT_FALSE(missing);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -19,7 +20,7 @@ class TePlainFileTest : public testing::Test {
 protected:
   void SetUp() override { std::ofstream(m_path) << "0123456789"; }
   void TearDown() override { std::filesystem::remove_all(m_path); }
-  const std::string m_path = testing::TempDir() + "plain-file";
+  const std::string m_path = testing::TempDir() + "plain-file-" + std::to_string(::getpid());
 };
 
 } // namespace

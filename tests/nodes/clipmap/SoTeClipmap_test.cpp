@@ -121,7 +121,11 @@ TEST(SoTeClipmap, AbsurdFieldsAreErrors) {
     node->maxLevel = level;
     EXPECT_THAT(node->getError(), HasSubstr(std::to_string(level)));
   }
-  EXPECT_THAT(makeNode("")->getError(), HasSubstr("empty"));
+  for (const int kind : {SoTeClipmap::HEIGHT, SoTeClipmap::COLOR}) {
+    const auto node = makeNode("");
+    node->kind = kind;
+    EXPECT_THAT(node->getError(), HasSubstr("empty"));
+  }
   const auto node = makeNode(pyramid.name());
   node->cacheBytes = INT_MIN;
   node->uploadBudget = INT_MIN;
