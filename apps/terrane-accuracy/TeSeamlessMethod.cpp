@@ -2,19 +2,6 @@
 
 #include <cassert>
 
-namespace {
-
-class MapHeights : public TeSeamlessHeights {
-public:
-  explicit MapHeights(const TeHeightMap& map) : m_map(map) {}
-  float height(std::int32_t column, std::int32_t row, int) const override { return m_map.at(column, row); }
-
-private:
-  const TeHeightMap& m_map;
-};
-
-} // namespace
-
 TeResult<std::unique_ptr<TeSeamlessMethod>> TeSeamlessMethod::create(const TeMeasuredTerrain& terrain,
                                                                      const Settings& settings) {
   const TeResult<TeSeamlessLayout> layout =
@@ -71,7 +58,7 @@ TeSelected TeSeamlessMethod::selected() const {
 }
 
 void TeSeamlessMethod::appendMesh(std::vector<TeSeamlessMesh::Triangle>& triangles) const {
-  const MapHeights heights(m_terrain.heights);
+  const TeSeamlessMapHeights heights(&m_terrain.heights);
   for (const TeSeamlessPatch& patch : m_selection.patches)
     TeSeamlessMesh::appendPatch(patch, m_selector.layout(), m_parts, heights, triangles);
 }

@@ -5,7 +5,7 @@
 #include "nodes/TeNodePtr.h"
 #include "nodes/seamless/SoTeSeamlessPatches.h"
 #include "nodes/seamless/TeSeamlessLists.h"
-#include "nodes/seamless/TeSeamlessSelector.h"
+#include "nodes/seamless/TeSeamlessTerrain.h"
 
 /// Seamless Patches over a height map; the dial is the document's precision factor.
 class TeSeamlessMethod : public TeMeasuredMethod {

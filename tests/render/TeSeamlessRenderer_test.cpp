@@ -25,11 +25,6 @@ std::array<std::int32_t, 3> corner(std::int32_t column, std::int32_t row, float 
   return {column, row, bits};
 }
 
-class FlatHeights : public TeSeamlessHeights {
-public:
-  float height(std::int32_t, std::int32_t, int) const override { return 0; }
-};
-
 /// In one order whatever vertex comes first.
 Corners turned(Corners triangle) {
   std::rotate(triangle.begin(), std::min_element(triangle.begin(), triangle.end()), triangle.end());
@@ -88,7 +83,7 @@ TEST_F(TeSeamlessRendererTest, DrawsTheTrianglesOfTheMeshBitForBit) {
         moved += vertex.height != scene->look.heights->at(vertex.column, vertex.row);
       EXPECT_EQ(moved > 100, geomorph);
       EXPECT_EQ(drawnTriangles(scene->captured),
-                meshTriangles(*scene, SeamlessMapHeights(scene->look.heights)));
+                meshTriangles(*scene, TeSeamlessMapHeights(scene->look.heights.get())));
       for (const TeSeamlessRenderer::DrawnVertex& vertex : scene->captured)
         ASSERT_EQ(vertex.relative, scene->drawnFrame->relative(vertex.column, vertex.row, vertex.height));
     }
@@ -99,7 +94,7 @@ TEST_F(TeSeamlessRendererTest, DrawsTheLargestPatchOfTheLargestTerrain) {
   scene.captures = true;
   show(scene);
   EXPECT_EQ(scene.captured.size(), std::size_t(scene.selection.patches.size() * 128 * 128 * 2 * 3));
-  EXPECT_EQ(drawnTriangles(scene.captured), meshTriangles(scene, FlatHeights()));
+  EXPECT_EQ(drawnTriangles(scene.captured), meshTriangles(scene, TeSeamlessMapHeights(nullptr)));
   for (const TeSeamlessRenderer::DrawnVertex& vertex : scene.captured) {
     ASSERT_GE(std::min(vertex.column, vertex.row), 0);
     ASSERT_LE(std::max(vertex.column, vertex.row), TeSeamlessLayout::kMaxResolution);

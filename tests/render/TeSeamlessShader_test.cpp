@@ -41,8 +41,8 @@ TeNodePtr<SoSeparator> coinShape(const SeamlessScene& scene) {
     }
   std::vector<TeSeamlessMesh::Triangle> mesh;
   for (const TeSeamlessPatch& patch : scene.selection.patches)
-    TeSeamlessMesh::appendPatch(patch, scene.layout, *scene.parts, SeamlessMapHeights(scene.look.heights),
-                                mesh);
+    TeSeamlessMesh::appendPatch(patch, scene.layout, *scene.parts,
+                                TeSeamlessMapHeights(scene.look.heights.get()), mesh);
   int count = 0;
   faces->coordIndex.setNum(int(4 * mesh.size()));
   std::int32_t* index = faces->coordIndex.startEditing();

@@ -2,8 +2,8 @@
 
 #include "nodes/TeNodePtr.h"
 #include "nodes/seamless/TeSeamlessDrawing.h"
-#include "nodes/seamless/TeSeamlessMesh.h"
 #include "nodes/seamless/TeSeamlessRenderer.h"
+#include "nodes/seamless/TeSeamlessTerrain.h"
 
 #include <GL/gl.h>
 #include <Inventor/actions/SoGLRenderAction.h>
@@ -71,15 +71,6 @@ inline std::shared_ptr<const TeHeightMap> hillyMap(int resolution, float height 
     }
   return std::make_shared<const TeHeightMap>(std::move(*map));
 }
-
-class SeamlessMapHeights : public TeSeamlessHeights {
-public:
-  explicit SeamlessMapHeights(std::shared_ptr<const TeHeightMap> map) : m_map(std::move(map)) {}
-  float height(std::int32_t column, std::int32_t row, int) const override { return m_map->at(column, row); }
-
-private:
-  std::shared_ptr<const TeHeightMap> m_map;
-};
 
 inline glm::dmat4 doubles(const SbMatrix& matrix) {
   glm::dmat4 result;

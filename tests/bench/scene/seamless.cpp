@@ -8,8 +8,8 @@
 #include "nodes/TeSceneRenderer.h"
 #include "nodes/lod/TePerspectiveView.h"
 #include "nodes/seamless/TeSeamlessDrawing.h"
-#include "nodes/seamless/TeSeamlessMesh.h"
 #include "nodes/seamless/TeSeamlessRenderer.h"
+#include "nodes/seamless/TeSeamlessTerrain.h"
 
 #include <Inventor/SbMatrix.h>
 #include <Inventor/elements/SoGLCacheContextElement.h>
@@ -56,11 +56,6 @@ std::shared_ptr<const TeHeightMap> hills() {
   made = std::make_shared<const TeHeightMap>(std::move(map));
   return made;
 }
-
-class MapHeights : public TeSeamlessHeights {
-public:
-  float height(std::int32_t column, std::int32_t row, int) const override { return hills()->at(column, row); }
-};
 
 glm::dmat4 doubles(const SbMatrix& matrix) {
   glm::dmat4 result;
@@ -216,7 +211,7 @@ public:
     m_renderer->setFitClipPlanes(false);
     std::vector<TeSeamlessMesh::Triangle> mesh;
     for (const TeSeamlessPatch& patch : m_selection.patches)
-      TeSeamlessMesh::appendPatch(patch, m_layout, *m_parts, MapHeights(), mesh);
+      TeSeamlessMesh::appendPatch(patch, m_layout, *m_parts, TeSeamlessMapHeights(hills().get()), mesh);
     m_raw.load(mesh);
   }
   ~Scene() { m_raw.free(); }

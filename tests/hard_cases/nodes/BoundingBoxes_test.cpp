@@ -63,7 +63,7 @@ TEST(HardCase, BoundingBoxes) {
             for (float& detail : patch.detail)
               detail = finest ? top : float(random.uniform(0, double(top)));
             triangles.clear();
-            TeSeamlessMesh::appendPatch(patch, layout, parts, MapHeights(map), triangles);
+            TeSeamlessMesh::appendPatch(patch, layout, parts, TeSeamlessMapHeights(&map), triangles);
             const std::vector<Box> around = boxesOf(*bounds, patch);
             boxes += std::int64_t(around.size());
             bool reached = false;

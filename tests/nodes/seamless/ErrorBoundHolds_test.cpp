@@ -94,7 +94,7 @@ TEST(SeamlessSelection, ErrorBoundHolds) {
         for (glm::dvec4& plane : inside.planes)
           plane.w -= 1e-6;
         const TeScreenError::Report report =
-            measured(selection, layout, parts, MapHeights(map), inside, error);
+            measured(selection, layout, parts, TeSeamlessMapHeights(&map), inside, error);
         SCOPED_TRACE("layout " + std::to_string(minResolution) + " " + std::to_string(levels) + ", field " +
                      std::to_string(field) + ", trial " + std::to_string(trial));
         ASSERT_EQ(report.uncovered, 0);

@@ -2,8 +2,7 @@
 
 #include "nodes/lod/TeLodView.h"
 #include "nodes/lod/TeWatertight.h"
-#include "nodes/seamless/TeSeamlessMesh.h"
-#include "nodes/seamless/TeSeamlessSelector.h"
+#include "nodes/seamless/TeSeamlessTerrain.h"
 
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
@@ -11,22 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
-
-/// A flat plain, for meshes of which only the shape counts.
-class FlatHeights final : public TeSeamlessHeights {
-public:
-  float height(std::int32_t, std::int32_t, int) const override { return 0; }
-};
-
-/// Heights of a map with all samples.
-class MapHeights final : public TeSeamlessHeights {
-public:
-  explicit MapHeights(const TeHeightMap& map) : m_map(map) {}
-  float height(std::int32_t column, std::int32_t row, int) const override { return m_map.at(column, row); }
-
-private:
-  const TeHeightMap& m_map;
-};
 
 /// Sees everything from a point.
 inline TeLodView viewFrom(const glm::dvec3& eye, double focal = 665.1) {

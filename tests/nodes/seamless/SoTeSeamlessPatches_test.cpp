@@ -3,6 +3,7 @@
 #include "generators/TeHeightMap.h"
 #include "nodes/TeNodePtr.h"
 #include "nodes/TeSceneFile.h"
+#include "nodes/coinWarnings.h"
 #include "nodes/readScene.h"
 #include "nodes/seamless/TeSeamlessBoundsFile.h"
 #include "nodes/seamless/hillsNode.h"
@@ -15,7 +16,6 @@
 #include <Inventor/actions/SoGetPrimitiveCountAction.h>
 #include <Inventor/actions/SoRayPickAction.h>
 #include <Inventor/actions/SoSearchAction.h>
-#include <Inventor/errors/SoDebugError.h>
 #include <Inventor/nodes/SoPerspectiveCamera.h>
 #include <Inventor/sensors/SoNodeSensor.h>
 
@@ -47,23 +47,6 @@ SbBox3f boxOf(SoNode* root) {
   bounds.apply(root);
   return bounds.getBoundingBox();
 }
-
-/// Warnings of Coin and of nodes for as long as it lives.
-class Warnings {
-public:
-  Warnings() { SoDebugError::setHandlerCallback(note, this); }
-  ~Warnings() { SoDebugError::setHandlerCallback(m_handler, m_data); }
-  Warnings(const Warnings&) = delete;
-  Warnings& operator=(const Warnings&) = delete;
-  std::vector<std::string> lines;
-
-private:
-  SoErrorCB* m_handler = SoDebugError::getHandlerCallback();
-  void* m_data = SoDebugError::getHandlerData();
-  static void note(const SoError* error, void* data) {
-    static_cast<Warnings*>(data)->lines.push_back(error->getDebugString().getString());
-  }
-};
 
 SoTeSeamlessPatches* terrainOf(SoNode* root) {
   SoSearchAction search;
@@ -340,7 +323,7 @@ TEST(SoTeSeamlessPatches, BadFieldsGiveOneWarningAndNothing) {
   writeRaw(folder + "even.raw", 32, 2);
   const std::string map = "resolution 0 heightSource HEIGHTMAP heightFile \"" + folder + "good.raw\" ";
   {
-    const Warnings warnings;
+    const CoinWarnings warnings;
     EXPECT_GT(triangles(readScene("TeSeamlessPatches { " + map + "}").get()), 0);
     EXPECT_THAT(warnings.lines, testing::IsEmpty());
   }
@@ -383,7 +366,7 @@ TEST(SoTeSeamlessPatches, BadFieldsGiveOneWarningAndNothing) {
            "coloring DETAIL mask \"/nonexistent.png\" detailTextures [ \"a\", \"b\", \"c\", \"d\" ]",
            "coloring HEIGHT groundHeights [ 1 ]",
            "coloring HEIGHT groundSlopes [ 1 ]"}) {
-    const Warnings warnings;
+    const CoinWarnings warnings;
     const auto root = readScene("TeSeamlessPatches { " + fields + " }");
     ASSERT_TRUE(root) << fields;
     EXPECT_EQ(triangles(root.get()), 0) << fields;
@@ -395,7 +378,7 @@ TEST(SoTeSeamlessPatches, BadFieldsGiveOneWarningAndNothing) {
 }
 
 TEST(SoTeSeamlessPatches, NumbersThatNameNothingAreErrors) {
-  const Warnings warnings;
+  const CoinWarnings warnings;
   const auto node = hillsNode();
   for (const int coloring : {-1, 4, 1 << 30}) {
     node->coloring = coloring;
@@ -413,7 +396,7 @@ TEST(SoTeSeamlessPatches, NotANumberIsOneWarning) {
   const float nan = std::nanf("");
   const auto node = hillsNode();
   const auto expectNothing = [&](const char* field) {
-    const Warnings warnings;
+    const CoinWarnings warnings;
     EXPECT_EQ(triangles(node.get()), 0) << field;
     EXPECT_EQ(triangles(node.get()), 0) << field;
     EXPECT_EQ(warnings.lines.size(), 1u) << field;
@@ -430,7 +413,7 @@ TEST(SoTeSeamlessPatches, NotANumberIsOneWarning) {
   node->center.setValue(0, double(nan), 0);
   expectNothing("center");
   node->center.setValue(0, 0, 0);
-  const Warnings warnings;
+  const CoinWarnings warnings;
   EXPECT_GT(triangles(node.get()), 0); // good again
   EXPECT_THAT(warnings.lines, testing::IsEmpty());
   EXPECT_EQ(node->getError(), "");
@@ -442,7 +425,7 @@ TEST(SoTeSeamlessPatches, MissingSamplesAreAnError) {
   TeNodePtr<SoTeSeamlessPatches> node(new SoTeSeamlessPatches);
   node->resolution = 64;
   node->heightSource = SoTeSeamlessPatches::HEIGHTMAP;
-  const Warnings warnings;
+  const CoinWarnings warnings;
   node->setHeights(std::make_shared<const TeHeightMap>(map));
   EXPECT_THAT(node->getError(), testing::HasSubstr("missing"));
   EXPECT_EQ(triangles(node.get()), 0);
@@ -502,7 +485,7 @@ TEST(SoTeSeamlessPatches, PixelErrorOfClipmapsNeedsTheirErrors) {
   const auto node = pyramid.node(129);
   EXPECT_EQ(node->getError(), "");
   {
-    const Warnings warnings;
+    const CoinWarnings warnings;
     node->pixelError = 2;
     EXPECT_THAT(node->getError(), testing::HasSubstr("terrane-bake"));
     EXPECT_THAT(node->getError(), testing::HasSubstr("_bounds_16_3.bin"));

@@ -61,7 +61,7 @@ template <class Give> void forEachSample(const TeSeamlessMesh::Triangle& triangl
 std::array<double, 4> deviations(const TeSeamlessPatch& patch, const TeSeamlessLayout& layout,
                                  const TeSeamlessParts& parts, const TeHeightMap& map) {
   std::vector<TeSeamlessMesh::Triangle> triangles;
-  TeSeamlessMesh::appendPatch(patch, layout, parts, MapHeights(map), triangles);
+  TeSeamlessMesh::appendPatch(patch, layout, parts, TeSeamlessMapHeights(&map), triangles);
   std::array<double, 4> largest{};
   const int size = layout.cells(patch.level);
   for (const TeSeamlessMesh::Triangle& triangle : triangles)

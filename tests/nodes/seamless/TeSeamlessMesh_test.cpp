@@ -18,7 +18,7 @@ TeHeightMap roughMap(int side) {
 std::vector<TeSeamlessMesh::Triangle> trianglesOf(const TeSeamlessPatch& patch,
                                                   const TeSeamlessLayout& layout, const TeHeightMap& map) {
   std::vector<TeSeamlessMesh::Triangle> triangles;
-  TeSeamlessMesh::appendPatch(patch, layout, TeSeamlessParts(layout), MapHeights(map), triangles);
+  TeSeamlessMesh::appendPatch(patch, layout, TeSeamlessParts(layout), TeSeamlessMapHeights(&map), triangles);
   return triangles;
 }
 
