@@ -1,5 +1,6 @@
 #include "apps/terrane-bake/TePyramidBounds.h"
 
+#include "generators/base/TePartFile.h"
 #include "nodes/clipmap/TePyramidReader.h"
 #include "nodes/seamless/TeSeamlessBoundsFile.h"
 
@@ -57,12 +58,13 @@ std::vector<std::string> tePyramidBoundsBeside(const std::string& name) {
   for (int resolution = 2; resolution <= TeSeamlessLayout::kMaxPatchResolution; resolution *= 2)
     for (int levels = 2; levels <= TeSeamlessLayout::kMaxLevels; ++levels) {
       const auto layout = TeSeamlessLayout::create(TeSeamlessLayout::kMaxResolution, resolution, levels);
-      std::error_code ignored;
       if (!layout)
         continue;
-      if (const std::string file = TeSeamlessBoundsFile::nameFor(name, *layout);
-          std::filesystem::exists(std::filesystem::symlink_status(file, ignored)))
-        files.push_back(file);
+      const std::string bounds = TeSeamlessBoundsFile::nameFor(name, *layout);
+      std::error_code ignored;
+      for (const std::string& file : {bounds, TePartFile::partOf(bounds)})
+        if (std::filesystem::exists(std::filesystem::symlink_status(file, ignored)))
+          files.push_back(file);
     }
   return files;
 }

@@ -12,5 +12,5 @@
 TeResult<std::string> teWritePyramidBounds(const std::string& name, const TeSeamlessLayout& layout,
                                            const std::function<void(double)>& progress);
 
-/// The files of bounds that there are beside a pyramid, whatever their layouts.
+/// The files of bounds that there are beside a pyramid, whatever their layouts, unfinished ones too.
 std::vector<std::string> tePyramidBoundsBeside(const std::string& name);

@@ -263,7 +263,7 @@ TEST_F(TerraneBake, ExistingPyramidsAreKeptUnlessForced) {
 
 TEST_F(TerraneBake, ExistingBoundsAndDescriptionsAreKeptUnlessForced) {
   const std::string raw = put("in.raw", teRaw(hills(33, 33), false));
-  for (const char* name : {"out_bounds_8_2.bin", "out.json"}) {
+  for (const char* name : {"out_bounds_8_2.bin", "out_bounds_8_2.bin.part", "out.json"}) {
     put(name, "of something else");
     expectRefused({"mipmaps", raw, scratch("out")}, 2, name);
     EXPECT_EQ(teReadFile(scratch(name)), "of something else");
