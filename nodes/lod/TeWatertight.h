@@ -6,8 +6,8 @@
 /// Checks that triangles over a grid of samples leave no crack: counts edges that are not shared by exactly
 /// two triangles.
 ///
-/// Vertices are numbered row·(resolution + 1) + column of a square of resolution × resolution cells. Memory:
-/// 24 bytes a triangle, used again.
+/// Vertices are numbered row·(resolution + 1) + column of a square of resolution × resolution cells, up to
+/// 32768. Memory: 24 bytes a triangle, used again.
 class TeWatertight {
 public:
   explicit TeWatertight(int resolution) : m_resolution(resolution) {}

@@ -104,9 +104,11 @@ public:
   SoSFInt32 levels;             ///< resolutions of a patch, 2 .. 9; the highest is up to 512
   SoSFFloat precision;          ///< the document's factor, from 1
   SoSFFloat pixelError;         ///< pixels; 0: precision is used
-  SoSFInt32 maxPatches;         ///< that are drawn in a frame; the accuracy is lowered to keep it
-  SoSFBool geomorph;            ///< resolutions change smoothly
-  SoSFBool instancing;          ///< a draw call for each list of equal shapes, not for each one
+  /// That are drawn in a frame, 1 .. 2^24; the accuracy is lowered to keep it, but with perspective not below
+  /// precision 1.
+  SoSFInt32 maxPatches;
+  SoSFBool geomorph;   ///< resolutions change smoothly
+  SoSFBool instancing; ///< a draw call for each list of equal shapes, not for each one
   /// Shapes are patches with one combination of resolutions, which makes few lists; FALSE: the document's
   /// tiles and strips, as is always so where these have colours of their own or combinations are too many.
   SoSFBool wholePatches;

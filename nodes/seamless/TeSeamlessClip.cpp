@@ -6,11 +6,7 @@
 
 TeResult<std::shared_ptr<TeSeamlessClip>> TeSeamlessClip::create(SoTeClipmap* node, std::uint32_t context,
                                                                  int highest) {
-  const std::shared_ptr<TePyramidTiles> tiles = node->getTiles();
-  if (!tiles)
-    return TeError{node->getError()};
-  TeResult<std::unique_ptr<TeClipWindows>> windows =
-      TeClipWindows::create(tiles, node->size.getValue(), highest);
+  TeResult<std::unique_ptr<TeClipWindows>> windows = node->makeWindows(highest);
   if (!windows)
     return windows.error();
   std::shared_ptr<TeSeamlessClip> clip(new TeSeamlessClip);

@@ -51,8 +51,6 @@ public:
 
   /// Frees all objects; the next draw() makes them anew.
   void freeAll();
-  /// Objects of OpenGL that exist, of all renderers together.
-  static std::int64_t liveObjects() { return TeSeamlessObjects::live(); }
 
 private:
   /// What a frame is drawn with.

@@ -10,6 +10,8 @@
 
 namespace {
 
+constexpr int kMostPatches = 1 << 24; ///< more would be an accident: they take gigabytes
+
 glm::vec3 toGlm(const SbColor& colour) { return {colour[0], colour[1], colour[2]}; }
 glm::dvec3 toGlm(const SbVec3d& vector) { return {vector[0], vector[1], vector[2]}; }
 
@@ -56,8 +58,9 @@ TeStatus TeSeamlessSceneReader::readAccuracy(TeSeamlessScene& scene) const {
                    " is not a number from 1; less would leave cracks"};
   if (!(accuracy.pixelError >= 0) || !std::isfinite(accuracy.pixelError))
     return TeError{"pixelError " + teNumberText(accuracy.pixelError) + " is not a number from 0"};
-  if (accuracy.maxPatches < 1)
-    return TeError{"maxPatches " + std::to_string(accuracy.maxPatches) + " is not a number from 1"};
+  if (accuracy.maxPatches < 1 || accuracy.maxPatches > kMostPatches)
+    return TeError{"maxPatches " + std::to_string(accuracy.maxPatches) + " is not a number from 1 to " +
+                   std::to_string(kMostPatches)};
   if (scene.content.isFlat())
     accuracy.pixelError = 0;
   if (accuracy.pixelError > 0 && !scene.content.boundsError.empty())

@@ -322,30 +322,30 @@ TEST_F(TeSeamlessRendererTest, AViewThatShowsNothingDrawsNothing) {
 }
 
 TEST_F(TeSeamlessRendererTest, NothingOfItStaysBehind) {
-  const std::int64_t before = TeSeamlessRenderer::liveObjects();
+  const std::int64_t before = TeSeamlessObjects::live();
   for (int round = 0; round < 3; round++) {
     const auto scene = hills(TeSeamlessTechnique::Texture);
     scene->look.texture = plainPicture(9, 9, 9);
     show(*scene);
-    EXPECT_GT(TeSeamlessRenderer::liveObjects(), before);
+    EXPECT_GT(TeSeamlessObjects::live(), before);
   }
   // Its objects go when the context is next drawn in.
   showNode(new SoSeparator);
-  EXPECT_EQ(TeSeamlessRenderer::liveObjects(), before);
+  EXPECT_EQ(TeSeamlessObjects::live(), before);
 }
 
 TEST_F(TeSeamlessRendererTest, DrawsInTwoContextsAndOutlivesThem) {
-  const std::int64_t before = TeSeamlessRenderer::liveObjects();
+  const std::int64_t before = TeSeamlessObjects::live();
   auto scene = hills();
   const TePicture first = show(*scene);
-  const std::int64_t ofOne = TeSeamlessRenderer::liveObjects() - before;
+  const std::int64_t ofOne = TeSeamlessObjects::live() - before;
   {
     auto other = TeContext::create(s_kind, 64, 64);
     ASSERT_TRUE(other);
     EXPECT_EQ(renderIn(**other, scene->node.get()), first);
-    EXPECT_EQ(TeSeamlessRenderer::liveObjects(), before + 2 * ofOne);
+    EXPECT_EQ(TeSeamlessObjects::live(), before + 2 * ofOne);
   }
-  EXPECT_EQ(TeSeamlessRenderer::liveObjects(), before + ofOne);
+  EXPECT_EQ(TeSeamlessObjects::live(), before + ofOne);
   EXPECT_EQ(show(*scene), first);
   // The drawing goes before its context.
   {
@@ -355,7 +355,7 @@ TEST_F(TeSeamlessRendererTest, DrawsInTwoContextsAndOutlivesThem) {
     scene.reset();
   }
   showNode(new SoSeparator);
-  EXPECT_EQ(TeSeamlessRenderer::liveObjects(), before);
+  EXPECT_EQ(TeSeamlessObjects::live(), before);
 }
 
 // The camera looks straight ahead, so that a column of pixels is a vertical plane: from above the ground, all

@@ -348,6 +348,7 @@ TEST(SoTeSeamlessPatches, BadFieldsGiveOneWarningAndNothing) {
            "pixelError -1",
            "maxPatches 0",
            "maxPatches -5",
+           "maxPatches 2147483647",
            "heightSource HEIGHTMAP",
            "heightSource HEIGHTMAP heightFile \"/nonexistent.raw\"",
            "heightSource HEIGHTMAP heightFile \"/dev/null\"",
