@@ -5,9 +5,9 @@ namespace {
 constexpr const char* kFragment = R"(
 uniform vec4 material;
 #ifdef LIT
-in vec3 frontColour;
+centroid in vec3 frontColour;
 #ifdef TWO_SIDED
-in vec3 backColour;
+centroid in vec3 backColour;
 #endif
 #endif
 #if defined(ONE_TEXTURE) || defined(COLOUR_CLIPMAP) || defined(DETAIL_MAPS)
@@ -60,7 +60,7 @@ vec3 surface() {
 }
 
 #elif defined(SLOPE_COLOURS)
-in vec2 ground;
+centroid in vec2 ground;
 uniform vec4 groundLayers[10]; // colour and line; slope
 uniform vec2 groundBlend;
 float above(float line, float blend, float value) {

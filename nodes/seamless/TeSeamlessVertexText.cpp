@@ -149,16 +149,16 @@ vec3 lit(vec3 normal, vec3 position) {
 
 constexpr const char* kVertexMain = R"(
 #ifdef LIT
-out vec3 frontColour;
+centroid out vec3 frontColour; // not extrapolated where a pixel is partly covered
 #ifdef TWO_SIDED
-out vec3 backColour;
+centroid out vec3 backColour;
 #endif
 #endif
 #if defined(ONE_TEXTURE) || defined(COLOUR_CLIPMAP) || defined(DETAIL_MAPS)
 out vec2 terrainPlace;
 #endif
 #ifdef SLOPE_COLOURS
-out vec2 ground; // height, slope
+centroid out vec2 ground; // height, slope
 #endif
 #ifdef FOG
 out float fogDepth;
