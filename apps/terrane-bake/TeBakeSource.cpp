@@ -1,8 +1,8 @@
 #include "apps/terrane-bake/TeBakeSource.h"
 
+#include "apps/common/TeTerrainDescription.h"
 #include "apps/terrane-bake/TeRasterRows.h"
 #include "apps/terrane-bake/TeResampledRows.h"
-#include "apps/terrane-bake/TeTerrainDescription.h"
 #include "generators/base/TeHash.h"
 #include "generators/base/TeLog.h"
 #include "generators/base/TeText.h"

@@ -3,9 +3,9 @@
 #include "apps/common/TeExit.h"
 #include "apps/common/TeProgressLine.h"
 #include "apps/common/TeStopwatch.h"
+#include "apps/common/TeTerrainDescription.h"
 #include "apps/terrane-bake/TeBakeSource.h"
 #include "apps/terrane-bake/TePyramidBounds.h"
-#include "apps/terrane-bake/TeTerrainDescription.h"
 #include "nodes/clipmap/TePyramidWriter.h"
 
 #include <sys/stat.h>

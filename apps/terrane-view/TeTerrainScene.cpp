@@ -1,5 +1,6 @@
 #include "apps/terrane-view/TeTerrainScene.h"
 
+#include "apps/common/TeTerrainDescription.h"
 #include "nodes/clipmap/SoTeClipmap.h"
 #include "nodes/clipmap/TeClipWindows.h"
 #include "nodes/clipmap/TePyramidReader.h"
@@ -7,52 +8,14 @@
 #include "nodes/seamless/TeSeamlessSlopeColours.h"
 
 #include <Inventor/errors/SoDebugError.h>
-#include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <algorithm>
 
 namespace {
 
 constexpr int kCoarseLevel = 10;                ///< of a pyramid, to know the ground by: 2 MB
 constexpr double kMostSteps = 65535;            ///< of a 16 bit number
 constexpr double kDocumentsRelief = 10.0 / 256; ///< height of so many steps, in sides: the document's
-
-/// What a pyramid's samples mean; 0 = not known.
-struct Scale {
-  double spacing = 0;    ///< metres
-  double heightUnit = 0; ///< metres a step
-  double heightOffset = 0;
-};
-
-/// NAME.json as terrane-bake writes it. Error: it is there, but not such a file.
-TeResult<Scale> readScale(const std::string& name) {
-  const std::string path = name + ".json";
-  Scale scale;
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored))
-    return scale;
-  constexpr std::uintmax_t kMostBytes = 1 << 16;
-  if (!std::filesystem::is_regular_file(path, ignored) ||
-      std::filesystem::file_size(path, ignored) > kMostBytes)
-    return TeError{path + ": not the description of a pyramid"};
-  std::ifstream stream(path);
-  const auto json = nlohmann::json::parse(stream, nullptr, false);
-  const auto number = [&](const char* key, double& value) {
-    if (!json.contains(key))
-      return true;
-    if (json[key].is_number())
-      value = json[key].get<double>();
-    return json[key].is_number() && std::isfinite(value) && std::abs(value) <= TeViewOptions::kMaxSize;
-  };
-  if (!json.is_object() || !number("spacing_m", scale.spacing) ||
-      !number("height_unit_m", scale.heightUnit) || !number("height_offset_m", scale.heightOffset) ||
-      scale.spacing < 0 || scale.heightUnit < 0)
-    return TeError{path + ": not the description of a pyramid: spacing_m, height_unit_m or height_offset_m "
-                          "is no number that can be"};
-  return scale;
-}
 
 /// A level of the pyramid as numbers.
 TeResult<std::shared_ptr<const TeHeightMap>> readLevel(const TePyramidReader& files, int level) {
@@ -151,9 +114,9 @@ TeResult<TeTerrainScene> TeTerrainScene::fromPyramid(const TeViewOptions& option
       TePyramidReader::open(options.clipmaps, 2, TeClipWindows::wholeLevel(options.clipSize));
   if (!files)
     return files.error();
-  const TeResult<Scale> scale = readScale(options.clipmaps);
-  if (!scale)
-    return scale.error();
+  TeTerrainDescription scale;
+  if (const TeStatus ok = scale.readIfThere(TeTerrainDescription::besidePyramid(options.clipmaps)); !ok)
+    return ok.error();
   const int level = std::min(files->topLevel(), std::max(files->baseLevel(), kCoarseLevel));
   const TeResult<std::shared_ptr<const TeHeightMap>> coarse = readLevel(*files, level);
   if (!coarse)
@@ -162,17 +125,17 @@ TeResult<TeTerrainScene> TeTerrainScene::fromPyramid(const TeViewOptions& option
   TeTerrainScene scene;
   scene.coarse = *coarse;
   const double cells = double(1 << files->topLevel());
-  const double side = options.side > 0 ? options.side : cells * (scale->spacing > 0 ? scale->spacing : 1);
-  const double known = options.heightScale > 0 ? options.heightScale : scale->heightUnit;
+  const double side = options.side > 0 ? options.side : cells * (scale.spacing > 0 ? scale.spacing : 1);
+  const double known = options.heightScale > 0 ? options.heightScale : scale.heightUnit;
   scene.heightScale = known > 0 ? known : kDocumentsRelief * side / kMostSteps;
   scene.spacing = side / double(1 << level);
-  scene.corner = {-0.5 * side, -0.5 * side, scale->heightOffset};
+  scene.corner = {-0.5 * side, -0.5 * side, scale.heightOffset};
   scene.root = new SoSeparator;
   SoTeSeamlessPatches* node = makeNode(options);
   scene.root->addChild(node);
   node->size = SbVec3f(float(side), float(side), float(kMostSteps * scene.heightScale));
-  node->center = SbVec3d(0, 0, scale->heightOffset);
-  setGround(*node, *scene.coarse, scene.heightScale, scale->heightOffset);
+  node->center = SbVec3d(0, 0, scale.heightOffset);
+  setGround(*node, *scene.coarse, scene.heightScale, scale.heightOffset);
   auto* heights = new SoTeClipmap;
   heights->name = options.clipmaps.c_str();
   heights->size = options.clipSize;

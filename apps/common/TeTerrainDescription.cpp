@@ -1,4 +1,4 @@
-#include "apps/terrane-bake/TeTerrainDescription.h"
+#include "apps/common/TeTerrainDescription.h"
 
 #include "generators/base/TePartFile.h"
 
@@ -28,18 +28,21 @@ TeStatus TeTerrainDescription::readIfThere(const std::string& path) {
   if (::stat(path.c_str(), &status) != 0)
     return {};
   constexpr off_t kMostBytes = 1 << 16;
+  constexpr double kLargest = 1e8; // metres
   if (!S_ISREG(status.st_mode) || status.st_size > kMostBytes)
     return TeError{path + ": not the description of a terrain"};
   std::ifstream stream(path);
   const auto json = nlohmann::json::parse(stream, nullptr, false);
   const auto number = [&](const char* name, double& value) {
-    if (!json.is_object() || !json.contains(name) || !json[name].is_number())
-      return false;
-    value = json[name].get<double>();
-    return std::isfinite(value);
+    if (!json.contains(name))
+      return true;
+    if (json[name].is_number())
+      value = json[name].get<double>();
+    return json[name].is_number() && std::isfinite(value) && std::abs(value) <= kLargest;
   };
-  if (!number("spacing_m", spacing) || !number("height_unit_m", heightUnit) ||
-      !number("height_offset_m", heightOffset) || spacing <= 0 || heightUnit <= 0)
-    return TeError{path + ": needs the positive numbers spacing_m and height_unit_m, and height_offset_m"};
+  if (!json.is_object() || !number("spacing_m", spacing) || !number("height_unit_m", heightUnit) ||
+      !number("height_offset_m", heightOffset) || spacing < 0 || heightUnit < 0)
+    return TeError{path + ": not the description of a terrain: spacing_m, height_unit_m or height_offset_m "
+                          "is no number that can be"};
   return {};
 }

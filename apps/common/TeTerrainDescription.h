@@ -22,6 +22,7 @@ struct TeTerrainDescription {
   static std::string besidePyramid(const std::string& name) { return name + ".json"; }
 
   TeStatus write(const std::string& path) const;
-  /// Takes spacing, unit and offset from a file; nothing where there is none. Error: not such a file.
+  /// Takes spacing, unit and offset from a file, as far as it has them; nothing where there is none. Error:
+  /// not such a file, or numbers that cannot be.
   TeStatus readIfThere(const std::string& path);
 };
