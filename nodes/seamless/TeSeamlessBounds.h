@@ -83,6 +83,11 @@ public:
   const Measured& measured() const { return m_measured; }
   TeHeightRange range(int level, std::int32_t x, std::int32_t y) const;
   TeSideBounds side(const TeSideKey& key) const;
+  /// TeSideBounds::error alone.
+  const float* errors(const TeSideKey& key) const {
+    return m_measured.errors[std::size_t(key.level)].data() +
+           m_layout.sideIndex(key) * std::ptrdiff_t(m_layout.levels());
+  }
   /// Of the same; above the deepest level.
   float beyond(const TeSideKey& key) const {
     return m_beyond[std::size_t(key.level)][std::size_t(m_layout.sideIndex(key))];

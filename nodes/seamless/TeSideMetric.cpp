@@ -83,10 +83,11 @@ TeSideMetric::SeenSide TeSideMetric::see(const TeSideKey& side) const {
   seen.squaredDistance = squaredDistance(side);
   if (!m_bounds)
     return seen;
-  const TeSideBounds bounds = m_bounds->side(side);
-  seen.errors = bounds.error;
+  seen.errors = m_bounds->errors(side);
   // Both tiles lie in that box. An undivided patch's own errors are then no larger than the one beyond.
-  seen.tilesDistance = distanceToBox(side, 0.5 * seen.length, 0, bounds.beyondRange);
+  const bool isDeepest = side.level == m_layout.depth() - 1;
+  const TeHeightRange range = isDeepest ? m_bounds->side(side).range : m_bounds->beyondRange(side);
+  seen.tilesDistance = distanceToBox(side, 0.5 * seen.length, 0, range);
   return seen;
 }
 
