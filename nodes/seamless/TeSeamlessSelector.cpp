@@ -69,7 +69,7 @@ private:
       const TeSideKey key = TeSeamlessLayout::sideOf(level, x, y, TeSide(side));
       const TeSideMetric::SeenSide seen = m_metric.see(key);
       float detail = std::max(m_metric.detail(seen), before);
-      if (m_metric.asksNeighbours())
+      if (m_metric.asksNeighbours() && detail < float(m_layout.levels() - 1))
         detail = std::max(detail, neighbourPreparing(level, x, y, side));
       detail = std::min(detail, float(m_limits.topIndex(key)));
       patch.detail[std::size_t(side)] = detail;
