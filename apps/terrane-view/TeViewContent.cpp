@@ -81,6 +81,16 @@ void findBox(TeViewContent& content) {
   }
 }
 
+TeViewContent contentOf(const TeTerrainScene& terrain, const std::string& description) {
+  TeViewContent content;
+  content.description = description;
+  content.root = terrain.root;
+  content.ground =
+      std::make_unique<TeMapGround>(terrain.coarse, terrain.corner, terrain.spacing, terrain.heightScale);
+  findBox(content);
+  return content;
+}
+
 } // namespace
 
 double TeViewContent::size() const {
@@ -133,24 +143,12 @@ TeResult<TeViewContent> TeViewContent::fromDem(const TeViewOptions& options, boo
   const TeResult<TeTerrainScene> terrain = TeTerrainScene::fromMap(*dem, options);
   if (!terrain)
     return terrain.error();
-  TeViewContent content;
-  content.description = options.dem;
-  content.root = terrain->root;
-  content.ground =
-      std::make_unique<TeMapGround>(terrain->coarse, terrain->corner, terrain->spacing, terrain->heightScale);
-  findBox(content);
-  return content;
+  return contentOf(*terrain, options.dem);
 }
 
 TeResult<TeViewContent> TeViewContent::fromClipmaps(const TeViewOptions& options) {
   const TeResult<TeTerrainScene> terrain = TeTerrainScene::fromPyramid(options);
   if (!terrain)
     return terrain.error();
-  TeViewContent content;
-  content.description = options.clipmaps;
-  content.root = terrain->root;
-  content.ground =
-      std::make_unique<TeMapGround>(terrain->coarse, terrain->corner, terrain->spacing, terrain->heightScale);
-  findBox(content);
-  return content;
+  return contentOf(*terrain, options.clipmaps);
 }
