@@ -7,8 +7,8 @@ packages=(
   libcoin-dev libsoqt520-dev libglm-dev
   libgdal-dev libproj-dev
   libegl-dev libopengl-dev libgl-dev libosmesa6-dev libegl1 libgl1-mesa-dri
-  libcli11-dev nlohmann-json3-dev libspdlog-dev libpng-dev
-  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libnoise-dev
+  libcli11-dev nlohmann-json3-dev libspdlog-dev libpng-dev libmeshoptimizer-dev
+  libgtest-dev libgmock-dev librapidcheck-dev libbenchmark-dev libnoise-dev libbullet-dev
   gdal-bin gnuplot-nox xvfb xauth xdotool
 )
 

@@ -7,33 +7,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace {
 
 using Vertex = TeScreenError::Vertex;
-
-std::int64_t floorDivide(std::int64_t number, std::int64_t positive) {
-  const std::int64_t quotient = number / positive;
-  return quotient * positive > number ? quotient - 1 : quotient;
-}
-
-/// Where an edge crosses rows: column = whole + part / rows, exactly.
-struct Edge {
-  const Vertex* low;
-  const Vertex* high;
-
-  std::int64_t rows() const { return std::int64_t(high->row) - low->row; }
-  std::int64_t part(int row) const {
-    return (std::int64_t(high->column) - low->column) * (std::int64_t(row) - low->row);
-  }
-  std::int64_t floor(int row) const {
-    return low->column + (rows() > 0 ? floorDivide(part(row), rows()) : 0);
-  }
-  std::int64_t ceil(int row) const {
-    return low->column + (rows() > 0 ? -floorDivide(-part(row), rows()) : 0);
-  }
-};
 
 /// What a row of samples is seen with: of every plane the distance at column 0, and per column and height.
 struct RowView {
@@ -112,38 +89,23 @@ void TeScreenError::add(const Vertex& a, const Vertex& b, const Vertex& c) {
   const double alongX = (bz * double(cy) - cz * double(by)) / double(area);
   const double alongY = (cz * double(bx) - bz * double(cx)) / double(area);
 
-  const Vertex *low = &a, *middle = &b, *high = &c;
-  if (low->row > middle->row)
-    std::swap(low, middle);
-  if (middle->row > high->row)
-    std::swap(middle, high);
-  if (low->row > middle->row)
-    std::swap(low, middle);
-  const Edge whole{low, high}, lower{low, middle}, upper{middle, high};
-  // On which side of the edge from the lowest to the highest vertex the third one lies.
-  const bool middleRight =
-      (std::int64_t(middle->column) - low->column) * whole.rows() > whole.part(middle->row);
-  for (int row = low->row; row <= high->row; row++) {
-    const Edge broken = row < middle->row ? lower : row > middle->row ? upper : Edge{middle, middle};
-    const Edge& left = middleRight ? whole : broken;
-    const Edge& right = middleRight ? broken : whole;
-    // Of what lies on an edge, the triangle that counts it is the one to the east, or the north, of the edge.
-    const std::int64_t openEnd = row < high->row ? right.ceil(row) : 0;
-    addRow(row, int(left.ceil(row)), int(right.floor(row)), int(openEnd),
-           double(a.height) + alongY * double(row - a.row) - alongX * double(a.column), alongX);
+  const TeLatticeTriangle triangle(a, b, c);
+  for (std::int32_t row = triangle.firstRow(); row <= triangle.lastRow(); row++) {
+    const TeLatticeTriangle::Span span = triangle.span(row);
+    addRow(row, span, double(a.height) + alongY * double(row - a.row) - alongX * double(a.column), alongX);
   }
 }
 
-void TeScreenError::addRow(int row, int first, int last, int openEnd, double start, double slope) {
+void TeScreenError::addRow(int row, const TeLatticeTriangle::Span& span, double start, double slope) {
   const std::size_t offset = std::size_t(row) * std::size_t(m_heights->width());
   const float* heights = m_heights->row(row);
   float* deviations = m_deviations.data() + offset;
   std::uint8_t* covered = m_covered.data() + offset;
-  for (int x = first; x <= last; x++) {
+  for (int x = span.first; x <= span.last; x++) {
     const float deviation = float(std::fabs(double(heights[x]) - (start + slope * x)));
     deviations[x] = deviation > deviations[x] ? deviation : deviations[x];
   }
-  for (int x = first; x < openEnd; x++)
+  for (int x = span.first; x < span.openEnd; x++)
     covered[x] = std::uint8_t(std::min(covered[x] + 1, 2));
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 
 #include "generators/TeHeightMap.h"
+#include "nodes/lod/TeLatticeTriangle.h"
+#include "nodes/lod/TeLodMesh.h"
 #include "nodes/lod/TeLodView.h"
 
 #include <glm/vec3.hpp>
@@ -19,12 +21,7 @@
 /// in view. Cost: about 12 ns a sample and 25 ns a triangle.
 class TeScreenError {
 public:
-  /// A vertex over sample (column, row), of a height in the unit of the samples.
-  struct Vertex {
-    std::int32_t column = 0;
-    std::int32_t row = 0;
-    float height = 0;
-  };
+  using Vertex = TeLodVertex;
 
   struct Report {
     std::int64_t samples = 0;   ///< in view, by their own heights; a missing sample never is
@@ -57,7 +54,7 @@ public:
   Report measure(const TeLodView& view);
 
 private:
-  void addRow(int row, int first, int last, int openEnd, double start, double slope);
+  void addRow(int row, const TeLatticeTriangle::Span& span, double start, double slope);
   void measureRow(const TeLodView& view, int row);
   void gatherRow(int row, Report& report);
   bool isForeign(const Vertex& a, const Vertex& b, const Vertex& c) const;

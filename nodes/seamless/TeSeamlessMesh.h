@@ -1,5 +1,6 @@
 #pragma once
 
+#include "nodes/lod/TeLodMesh.h"
 #include "nodes/seamless/TeSeamlessParts.h"
 #include "nodes/seamless/TeSeamlessSelection.h"
 
@@ -17,11 +18,7 @@ public:
 
 /// The triangles of a selection as they are drawn, in the memory of the CPU.
 struct TeSeamlessMesh {
-  struct Vertex {
-    std::int32_t column = 0; ///< sample
-    std::int32_t row = 0;
-    float height = 0; ///< in the unit of the samples, morphed
-  };
+  using Vertex = TeLodVertex; ///< its height morphed
   struct Triangle {
     Vertex a, b, c; ///< counter-clockwise from above
     bool strip = false;

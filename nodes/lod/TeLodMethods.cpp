@@ -1,0 +1,46 @@
+#include "nodes/lod/TeLodMethods.h"
+
+#include "nodes/lod/brute/TeBruteForce.h"
+#include "nodes/lod/seamless/TeSeamlessLod.h"
+
+#include <algorithm>
+
+namespace {
+
+using Made = TeResult<std::unique_ptr<TeLodMethod>>;
+
+struct Entry {
+  std::string name;
+  Made (*create)(TeLodFieldPtr field);
+};
+
+const std::vector<Entry>& entries() {
+  static const std::vector<Entry> all = {
+      {"brute",
+       [](TeLodFieldPtr field) -> Made { return {std::make_unique<TeBruteForce>(std::move(field))}; }},
+      {"seamless", [](TeLodFieldPtr field) -> Made { return TeSeamlessLod::create(std::move(field)); }},
+  };
+  return all;
+}
+
+} // namespace
+
+const std::vector<std::string>& TeLodMethods::names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> names;
+    for (const Entry& entry : entries())
+      names.push_back(entry.name);
+    return names;
+  }();
+  return names;
+}
+
+TeResult<std::unique_ptr<TeLodMethod>> TeLodMethods::create(const std::string& name, TeLodFieldPtr field) {
+  std::string known;
+  for (const Entry& entry : entries()) {
+    if (entry.name == name)
+      return entry.create(std::move(field));
+    known += (known.empty() ? "" : ", ") + entry.name;
+  }
+  return TeError{"'" + name + "' is no LOD method: " + known};
+}
