@@ -7,6 +7,6 @@
 /// unit of the samples. Computed in double precision and rounded up, so it is a bound. Corners lie on samples
 /// of `heights` and have these heights; the triangle has an area.
 ///
-/// Cost: a pass over the samples, about 1 ns each and some 20 ns a row.
+/// Cost: about 40 ns, 12 ns a row, and 0.2 ns a sample with AVX-512.
 float teTriangleDeviation(const TeHeightMap& heights, const TeLodVertex& a, const TeLodVertex& b,
                           const TeLodVertex& c);
