@@ -1,6 +1,7 @@
 #include "nodes/lod/TeLodMethods.h"
 
 #include "nodes/lod/brute/TeBruteForce.h"
+#include "nodes/lod/geomipmap/TeGeoMipMapping.h"
 #include "nodes/lod/seamless/TeSeamlessLod.h"
 
 #include <algorithm>
@@ -19,6 +20,7 @@ const std::vector<Entry>& entries() {
       {"brute",
        [](TeLodFieldPtr field) -> Made { return {std::make_unique<TeBruteForce>(std::move(field))}; }},
       {"seamless", [](TeLodFieldPtr field) -> Made { return TeSeamlessLod::create(std::move(field)); }},
+      {"geomipmap", [](TeLodFieldPtr field) -> Made { return TeGeoMipMapping::create(std::move(field)); }},
   };
   return all;
 }

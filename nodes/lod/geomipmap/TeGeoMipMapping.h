@@ -1,0 +1,96 @@
+#pragma once
+
+#include "nodes/lod/TeLodBox.h"
+#include "nodes/lod/TeLodMethod.h"
+#include "nodes/lod/geomipmap/TeGeoMipErrors.h"
+#include "nodes/lod/geomipmap/TeGeoMipPatterns.h"
+
+#include <memory>
+#include <vector>
+
+/// Geometrical mip mapping (de Boer 2000; docs/geomipmapping.md): patches of equal size, each drawn at a
+/// level of its own, stitched to coarser neighbours by leaving out vertices of the border.
+///
+/// A patch has the coarsest level whose error, at the distance of its box, is within the wanted one.
+/// Neighbours may differ by any number of levels; where the strip between them would not be within it, the
+/// coarser one becomes finer. Boxes of patches form a quadtree that culls.
+///
+/// Dial: de Boer's threshold in pixels, by the midpoint errors and the distance of the patch's middle; the
+/// bound that is stated is exact all the same.
+///
+/// Cost: in proportion to the nodes of the quadtree in view.
+class TeGeoMipMapping final : public TeLodMethod {
+public:
+  struct Settings {
+    /// A side, a power of two from 2 to 128; less where the terrain is smaller. 0: so many that there are 128
+    /// patches a side, but 8 to 32, which takes the fewest triangles and little time (docs/geomipmapping.md).
+    int patchCells = 0;
+  };
+
+  /// Error: settings out of range.
+  static TeResult<std::unique_ptr<TeLodMethod>> create(TeLodFieldPtr field, const Settings& settings);
+  static TeResult<std::unique_ptr<TeLodMethod>> create(TeLodFieldPtr field) {
+    return create(std::move(field), Settings());
+  }
+
+  std::string name() const override { return "geomipmap"; }
+  const TeLodDial& dial() const override;
+  double bytesPerSample() const override;
+  void appendPart(std::size_t part, TeLodMesh& mesh) const override;
+
+  const TeGeoMipErrors& errors() const { return m_errors; }
+  const TeGeoMipPatterns& patterns() const { return m_patterns; }
+
+  /// What a part is, by its key.
+  struct Part {
+    int x = 0; ///< patch
+    int y = 0;
+    int level = 0;
+    TeGeoMipSides sides{};
+  };
+  Part partOf(std::uint64_t key) const;
+
+protected:
+  void choose(const TeLodView& view, const TeLodAccuracy& accuracy, TeAllowance& allowance,
+              TeLodSelection& selection) override;
+  bool coarsens() const override { return m_canCoarsen; }
+
+private:
+  TeGeoMipMapping(TeLodFieldPtr field, int patchCells);
+
+  struct Drawn {
+    int x = 0;
+    int y = 0;
+    double distance = 0;
+    double largest = 0; ///< deviation that is within the wanted error
+  };
+  struct Wish;
+
+  void visit(const Wish& wish, int height, int x, int y, unsigned planes, TeLodSelection& selection);
+  void draw(const Wish& wish, int x, int y, const TeLodBox& box);
+  void refineNeighbours();
+  void report(const Wish& wish, TeLodSelection& selection);
+  TeLodBox box(int height, int x, int y) const;
+  std::uint64_t keyOf(const Drawn& drawn, int level, const TeGeoMipSides& sides) const;
+
+  /// Of patches, with a rim of patches that are not there.
+  std::size_t cell(int x, int y) const {
+    return std::size_t(y + 1) * std::size_t(m_patches + 2) + std::size_t(x + 1);
+  }
+  std::size_t beside(std::size_t cell, int side) const {
+    const std::size_t width = std::size_t(m_patches) + 2;
+    return side == 0 ? cell - width : side == 1 ? cell + 1 : side == 2 ? cell + width : cell - 1;
+  }
+
+  TeGeoMipPatterns m_patterns;
+  TeGeoMipErrors m_errors;
+  int m_patches;
+  /// [height][y·side + x]: ranges of 2^height patches a side, from height 1 on.
+  std::vector<std::vector<TeGeoMipErrors::Range>> m_ranges;
+
+  std::vector<std::uint8_t> m_levels;  ///< by cell(); kNotDrawn
+  std::vector<std::uint32_t> m_places; ///< by cell(): in m_drawn, where it is drawn
+  std::vector<Drawn> m_drawn;
+  std::vector<std::uint32_t> m_pending; ///< in m_drawn
+  bool m_canCoarsen = true;
+};

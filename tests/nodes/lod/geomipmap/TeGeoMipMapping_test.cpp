@@ -1,0 +1,215 @@
+#include "nodes/lod/TeLodMethods.h"
+#include "nodes/lod/geomipmap/TeGeoMipMapping.h"
+#include "tests/nodes/lod/lodTrials.h"
+
+#include <cstdio>
+#include <cstring>
+#include <map>
+
+namespace {
+
+std::unique_ptr<TeLodMethod> methodOver(TeLodFieldPtr field, int patchCells = 0) {
+  TeGeoMipMapping::Settings settings;
+  settings.patchCells = patchCells;
+  return std::move(TeGeoMipMapping::create(std::move(field), settings).value());
+}
+
+TeLodMesh meshOf(const TeLodMethod& method) {
+  TeLodMesh mesh;
+  method.appendMesh(mesh);
+  EXPECT_EQ(mesh.triangles(), method.selection().triangles);
+  EXPECT_TRUE(mesh.skirts.empty());
+  return mesh;
+}
+
+/// A wish for the method in one of its ways.
+TeLodAccuracy anyAccuracy(std::mt19937& random) {
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  TeLodAccuracy accuracy;
+  accuracy.pixelError = random() % 20 == 0 ? 0 : std::exp(uniform(-2, 5));
+  if (random() % 4 == 0)
+    accuracy.dial = std::exp(uniform(-2, 5));
+  accuracy.geomorph = random() % 2;
+  return accuracy;
+}
+
+} // namespace
+
+TEST(TeGeoMipMapping, neverHasACrack) {
+  std::mt19937 random(5);
+  int meshes = 0, levels = 0;
+  for (int kind = 0; kind <= int(StressField::Flat); kind++)
+    for (const auto& [cells, patchCells] : {std::pair(64, 4), std::pair(64, 16), std::pair(64, 32)}) {
+      const TeLodFieldPtr field = anyField(StressField(kind), cells, random);
+      const auto method = methodOver(field, patchCells);
+      TeWatertight mesh(cells);
+      for (int camera = 0; camera < 150; camera++) {
+        method->select(anyView(*field, true, random), anyAccuracy(random));
+        mesh.clear();
+        addTo(mesh, *field, meshOf(*method));
+        ASSERT_EQ(mesh.cracks(), 0) << "field " << kind << " camera " << camera;
+        ASSERT_EQ(mesh.slivers(), 0);
+        ASSERT_TRUE(mesh.coversSquare());
+        meshes++;
+        int widest = 0;
+        for (const TeLodPart& part : method->selection().parts) {
+          const auto is = static_cast<const TeGeoMipMapping&>(*method).partOf(part.key);
+          for (const int side : is.sides)
+            widest = std::max(widest, side - is.level);
+        }
+        levels += widest > 1;
+      }
+    }
+  EXPECT_GT(levels, meshes / 20); // neighbours do differ by more than one level
+  std::printf("%d meshes, %d of them with neighbours more than one level apart: no cracks\n", meshes, levels);
+}
+
+TEST(TeGeoMipMapping, itsBoundHolds) {
+  std::mt19937 random(6);
+  int frames = 0;
+  double closest = 0, ratios = 0;
+  for (int kind = 0; kind <= int(StressField::Flat); kind++)
+    for (const auto& [cells, patchCells] : {std::pair(128, 8), std::pair(64, 32)}) {
+      const TeLodFieldPtr field = anyField(StressField(kind), cells, random);
+      const auto method = methodOver(field, patchCells);
+      for (int camera = 0; camera < 60; camera++) {
+        const TeLodView view = anyView(*field, camera % 3 == 0, random);
+        const TeLodAccuracy accuracy = anyAccuracy(random);
+        method->select(view, accuracy);
+        const TeLodSelection& selection = method->selection();
+        const TeScreenError::Report report = measured(*field, meshOf(*method), view);
+        ASSERT_EQ(report.uncovered, 0);
+        ASSERT_EQ(report.overlaps, 0);
+        ASSERT_EQ(report.foreign, 0);
+        ASSERT_LE(report.worst, selection.errorBound * (1 + 1e-6) + roundingAt(*field, view, report))
+            << "field " << kind << " camera " << camera;
+        if (accuracy.dial == 0) {
+          ASSERT_LE(selection.errorBound, accuracy.pixelError);
+        }
+        if (selection.errorBound > 0 && std::isfinite(selection.errorBound)) {
+          closest = std::max(closest, report.worst / selection.errorBound);
+          ratios += report.worst / selection.errorBound;
+          frames++;
+        }
+      }
+    }
+  EXPECT_GT(closest, 0.99);
+  std::printf("%d frames: true error on average %.2f of the bound, at most %.4f\n", frames, ratios / frames,
+              closest);
+}
+
+TEST(TeGeoMipMapping, noErrorMeansEverySample) {
+  std::mt19937 random(7);
+  const TeLodFieldPtr field = anyField(StressField::Plateau, 64, random);
+  const auto method = methodOver(field);
+  TeLodAccuracy exact;
+  exact.pixelError = 0;
+  method->select(anyView(*field, true, random), exact);
+  EXPECT_EQ(method->selection().triangles, 2 * 64 * 64);
+  EXPECT_EQ(method->selection().errorBound, 0);
+}
+
+// From the smallest terrain on.
+TEST(TeGeoMipMapping, takesAnySize) {
+  std::mt19937 random(8);
+  for (int cells = 2; cells <= 256; cells *= 2) {
+    const TeLodFieldPtr field = anyField(StressField::Rough, cells, random);
+    const auto method = TeLodMethods::create("geomipmap", field);
+    ASSERT_TRUE(method);
+    EXPECT_EQ((*method)->name(), "geomipmap");
+    for (int camera = 0; camera < 5; camera++) {
+      const TeLodView view = anyView(*field, true, random);
+      (*method)->select(view, anyAccuracy(random));
+      TeWatertight mesh(cells);
+      addTo(mesh, *field, meshOf(**method));
+      EXPECT_EQ(mesh.cracks(), 0);
+      EXPECT_TRUE(mesh.coversSquare());
+    }
+  }
+}
+
+TEST(TeGeoMipMapping, refusesOtherPatches) {
+  std::mt19937 random(9);
+  const TeLodFieldPtr field = anyField(StressField::Flat, 64, random);
+  for (const int cells : {-8, 1, 12, 256}) {
+    TeGeoMipMapping::Settings settings;
+    settings.patchCells = cells;
+    const auto method = TeGeoMipMapping::create(field, settings);
+    ASSERT_FALSE(method);
+    EXPECT_NE(method.error().message.find(std::to_string(cells)), std::string::npos);
+  }
+}
+
+TEST(TeGeoMipMapping, lowersTheAccuracyForABudget) {
+  std::mt19937 random(10);
+  const TeLodFieldPtr field = anyField(StressField::Rough, 256, random);
+  const auto method = methodOver(field, 16);
+  const double side = 256 * field->spacing();
+  const TeLodView view = viewFrom(field->placement().corner + glm::dvec3(0.5 * side, 0.5 * side, 0.2 * side));
+  TeLodAccuracy accuracy;
+  accuracy.pixelError = 0.1;
+  method->select(view, accuracy);
+  const std::int64_t all = method->selection().triangles;
+  accuracy.maxTriangles = all / 10;
+  method->select(view, accuracy);
+  EXPECT_LE(method->selection().triangles, all / 10);
+  EXPECT_GT(method->selection().coarsening, 1);
+  EXPECT_LE(method->selection().errorBound, 0.1 * method->selection().coarsening);
+  // As coarse as can be, if even that is too much.
+  accuracy.maxTriangles = 1;
+  method->select(view, accuracy);
+  EXPECT_EQ(method->selection().triangles, 2 * 16 * 16);
+}
+
+// The same key, the same triangles, whatever else was chosen.
+TEST(TeGeoMipMapping, keysStandForTriangles) {
+  std::mt19937 random(11);
+  const TeLodFieldPtr field = anyField(StressField::Rough, 128, random);
+  const auto method = methodOver(field, 8), again = methodOver(field, 8);
+  std::map<std::uint64_t, TeLodMesh> known;
+  int met = 0;
+  for (int camera = 0; camera < 60; camera++) {
+    const TeLodView view = anyView(*field, false, random);
+    const TeLodAccuracy accuracy = anyAccuracy(random);
+    method->select(view, accuracy);
+    again->select(view, accuracy);
+    ASSERT_EQ(method->selection().parts.size(), again->selection().parts.size());
+    for (std::size_t i = 0; i < method->selection().parts.size(); i++) {
+      const TeLodPart& part = method->selection().parts[i];
+      ASSERT_EQ(part.key, again->selection().parts[i].key);
+      TeLodMesh mesh;
+      method->appendPart(i, mesh);
+      ASSERT_EQ(mesh.triangles(), part.triangles);
+      const auto [found, isNew] = known.try_emplace(part.key, mesh);
+      met += !isNew;
+      ASSERT_EQ(found->second.indices, mesh.indices);
+      ASSERT_EQ(found->second.vertices.size(), mesh.vertices.size());
+      ASSERT_EQ(std::memcmp(found->second.vertices.data(), mesh.vertices.data(),
+                            mesh.vertices.size() * sizeof(TeLodVertex)),
+                0);
+    }
+  }
+  EXPECT_GT(met, 100);
+}
+
+TEST(TeGeoMipMapping, itsDialIsAThresholdInPixels) {
+  std::mt19937 random(12);
+  const TeLodFieldPtr field = anyField(StressField::Rough, 256, random);
+  const auto method = methodOver(field, 8);
+  EXPECT_FALSE(method->dial().finerIsLarger);
+  TeLodView view = anyView(*field, true, random);
+  view.perspective = true;
+  view.focal = 665;
+  std::int64_t before = std::numeric_limits<std::int64_t>::max();
+  for (const double threshold : {0.01, 1.0, 4.0, 16.0, 1e6}) {
+    TeLodAccuracy accuracy;
+    accuracy.dial = threshold;
+    method->select(view, accuracy);
+    EXPECT_EQ(method->selection().dial, threshold);
+    EXPECT_LE(method->selection().triangles, before);
+    before = method->selection().triangles;
+  }
+  EXPECT_EQ(before, 2 * 32 * 32);
+}
