@@ -8,7 +8,6 @@
 namespace {
 
 constexpr int kGeneratedSamples = 65;
-constexpr double kFillDistance = 100; ///< posts
 
 struct Terrain {
   TeHeightSourcePtr source;
@@ -39,12 +38,10 @@ TeStatus placeOutside(const std::string& what, TeElevationTerrainOptions& elevat
 TeResult<Terrain> elevationTerrain(const TeTerrainOptions& options, int patches, glm::dvec2& centre) {
   TeElevationTerrainOptions elevation;
   elevation.file = options.dem;
-  const TeResult<double> unit = teVerticalUnit(options.verticalUnit);
-  if (!unit)
-    return TeError{"--vertical-unit: " + unit.error().message};
-  elevation.reading.verticalUnit = *unit;
-  elevation.reading.posts = options.posts;
-  elevation.reading.fillDistance = options.fillVoids ? kFillDistance : 0;
+  const TeResult<TeElevationOptions> reading = options.reading.options();
+  if (!reading)
+    return reading.error();
+  elevation.reading = *reading;
   if (const TeStatus ok = placeOutside(options.outside, elevation); !ok)
     return ok.error();
   elevation.native = options.native;

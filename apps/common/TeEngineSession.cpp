@@ -53,8 +53,9 @@ TeRecorder::Settings TeEngineSession::settings() const {
   settings["samples"] = std::to_string(terrain.samples);
   settings["spacing"] = teNumberText(terrain.spacing);
   settings["blend"] = terrain.blending == TeBlendProfile::Smooth ? "smooth" : "linear";
-  settings["elevation"] = terrain.verticalUnit + " " + teNumberText(terrain.posts) + " " + terrain.outside +
-                          (terrain.fillVoids ? " filled" : "") + (terrain.native ? " native" : "");
+  settings["elevation"] = terrain.reading.verticalUnit + " " + teNumberText(terrain.reading.posts) + " " +
+                          terrain.outside + (terrain.reading.fillVoids ? " filled" : "") +
+                          (terrain.native ? " native" : "");
   settings["center"] = teNumberText(m_options.center.x) + "," + teNumberText(m_options.center.y);
   settings["radius"] = std::to_string(m_options.radius);
   settings["view"] = m_options.thirdPerson ? "third" : "first";

@@ -57,21 +57,7 @@ void TeTerrainOptions::addElevationData(TeCommandLine& commandLine) {
                           ->option_text("FILE")
                           ->excludes("--generator")
                           ->group(group);
-  cli.add_option("--vertical-unit", verticalUnit, "Of its heights: m, ft, dm, 0.1, ... (default: the file's)")
-      ->check(TeCommandLine::notEmpty())
-      ->option_text("UNIT")
-      ->needs(file)
-      ->group(group);
-  commandLine.addNumber("--posts", posts, 1e-6, 1e6, "Metres between its posts (default: as the file says)")
-      ->needs(file)
-      ->group(group);
-  cli.add_option_function<std::string>(
-         "--fill", [this](const std::string& what) { fillVoids = what == "voids"; },
-         "voids: fill them from their surroundings (default: none)")
-      ->check(CLI::IsMember({"none", "voids"}))
-      ->option_text("WHAT")
-      ->needs(file)
-      ->group(group);
+  reading.addTo(commandLine, file, group);
   cli.add_option("--outside", outside,
                  "Beyond the file: hole, clamp, a height, or a generator (default: hole)")
       ->check(TeCommandLine::notEmpty())

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/common/TeCommandLine.h"
+#include "apps/common/TeDemReading.h"
 #include "generators/TeGeneratorRegistry.h"
 #include "patchdb/TeBlendWeights.h"
 
@@ -18,10 +18,8 @@ struct TeTerrainOptions {
   TeBlendProfile blending = TeBlendProfile::Smooth;
   bool listGenerators = false;
 
-  std::string dem;                   ///< elevation file; empty = none
-  std::string verticalUnit = "auto"; ///< of its heights
-  double posts = 0;                  ///< metres between its posts; 0 = as the file says
-  bool fillVoids = false;
+  std::string dem; ///< elevation file; empty = none
+  TeDemReading reading;
   std::string outside = "hole"; ///< hole, clamp, a height, or a generator's specification
   bool native = false;
 

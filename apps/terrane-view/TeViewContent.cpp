@@ -17,7 +17,6 @@
 
 namespace {
 
-constexpr double kFillDistance = 100; ///< posts
 const SbViewportRegion kAnyViewport(1, 1);
 
 /// The first node of a type; the action keeps the path.
@@ -128,16 +127,12 @@ TeResult<TeViewContent> TeViewContent::fromScene(const TeViewOptions& options) {
 }
 
 TeResult<TeViewContent> TeViewContent::fromDem(const TeViewOptions& options, bool quiet) {
-  TeElevationOptions reading;
-  const TeResult<double> unit = teVerticalUnit(options.verticalUnit);
-  if (!unit)
-    return TeError{"--vertical-unit: " + unit.error().message};
-  reading.verticalUnit = *unit;
-  reading.posts = options.posts;
-  reading.fillDistance = options.fillVoids ? int(kFillDistance) : 0;
+  const TeResult<TeElevationOptions> reading = options.reading.options();
+  if (!reading)
+    return reading.error();
   TeProgressLine progress("Reading heights", quiet);
   const TeResult<TeDemMap> dem =
-      TeDemMap::read(options.dem, reading, options.resolution, [&](double done) { progress.update(done); });
+      TeDemMap::read(options.dem, *reading, options.resolution, [&](double done) { progress.update(done); });
   if (!dem)
     return dem.error();
   const TeResult<TeTerrainScene> terrain = TeTerrainScene::fromMap(*dem, options);

@@ -55,21 +55,7 @@ void TeViewOptions::addInput(TeCommandLine& commandLine) {
       ->group(group);
 
   const std::string data = "Elevation file";
-  cli.add_option("--vertical-unit", verticalUnit, "Of its heights: m, ft, dm, 0.1, ... (default: the file's)")
-      ->check(TeCommandLine::notEmpty())
-      ->option_text("UNIT")
-      ->needs(file)
-      ->group(data);
-  commandLine.addNumber("--posts", posts, 1e-6, 1e6, "Metres between its posts (default: as the file says)")
-      ->needs(file)
-      ->group(data);
-  cli.add_option_function<std::string>(
-         "--fill", [this](const std::string& what) { fillVoids = what == "voids"; },
-         "voids: fill them from their surroundings (default: none)")
-      ->check(CLI::IsMember({"none", "voids"}))
-      ->option_text("WHAT")
-      ->needs(file)
-      ->group(data);
+  reading.addTo(commandLine, file, data);
   commandLine
       .addInteger("--resolution", resolution, 16, 8192,
                   "Cells a side, a power of two, to which it is resampled (default: about its own)")

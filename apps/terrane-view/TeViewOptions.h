@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/common/TeCommandLine.h"
+#include "apps/common/TeDemReading.h"
 #include "generators/base/TeResult.h"
 
 #include <glm/vec3.hpp>
@@ -20,9 +20,7 @@ struct TeViewOptions {
   std::string dem;      ///< elevation file
   std::string clipmaps; ///< NAME of NAME_0.raw, NAME_1.raw, …
 
-  std::string verticalUnit = "auto"; ///< of the elevation file's heights
-  double posts = 0;                  ///< metres between its posts; 0 = as the file says
-  bool fillVoids = false;
+  TeDemReading reading;
   int resolution = 0;     ///< cells a side that the elevation file is drawn with; 0 = about its own
   double side = 0;        ///< metres a side of the terrain; 0 = as the file or pyramid says
   double heightScale = 0; ///< stretches metres; of a pyramid metres a step; 0 = as the file or pyramid says
