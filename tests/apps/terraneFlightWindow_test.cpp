@@ -29,7 +29,7 @@ protected:
 
 TEST_F(TerraneFlightWindow, ShowsAsManyFramesAsAskedFor) {
   const TeChildResult result =
-      runScript("$FLIGHT --frames 20 --path line --offscreen $FOLDER/a.png --report $FOLDER/a.json");
+      runScript("$FLIGHT --frames 60 --path line --offscreen $FOLDER/a.png --report $FOLDER/a.json");
   ASSERT_EQ(result.status, 0) << result.error;
   const TeResult<TePicture> picture = TePicture::readPng(scratch("a.png"));
   ASSERT_TRUE(picture);
@@ -39,7 +39,7 @@ TEST_F(TerraneFlightWindow, ShowsAsManyFramesAsAskedFor) {
   const nlohmann::json report = reportIn("a.json");
   ASSERT_FALSE(report.is_discarded());
   EXPECT_EQ(report["context"], "window");
-  EXPECT_GE(report["frames"], 20);
+  EXPECT_GE(report["frames"], 60);
   EXPECT_GT(report["ticks"], 10);
 }
 
