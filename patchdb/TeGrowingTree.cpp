@@ -12,25 +12,14 @@ TeGrowingTree& TeGrowingTree::operator=(TeGrowingTree&&) noexcept = default;
 
 std::size_t TeGrowingTree::bytes() const {
   return m_nodes.capacity() * sizeof(Node) + m_leaves.capacity() * sizeof(m_leaves[0]) +
-         (m_freeNodes.capacity() + m_freeLeaves.capacity()) * sizeof(std::int32_t);
-}
-
-TePatchData* TeGrowingTree::find(std::int64_t x, std::int64_t y) const {
-  if (!m_bounds.contains(x, y))
-    return nullptr;
-  // Bit k of the offset from the origin tells the quarter at the node of span 2^(k+1).
-  const std::uint64_t dx = std::uint64_t(x - m_bounds.x);
-  const std::uint64_t dy = std::uint64_t(y - m_bounds.y);
-  std::int32_t index = m_root;
-  for (std::uint64_t half = std::uint64_t(m_bounds.span) / 2; half > 0 && index != kNone; half /= 2)
-    index = m_nodes[std::size_t(index)].child[((dx & half) ? 1 : 0) + ((dy & half) ? 2 : 0)];
-  return index == kNone ? nullptr : m_leaves[std::size_t(index)].get();
+         (m_freeNodes.capacity() + m_freeLeaves.capacity()) * sizeof(std::int32_t) + m_index.bytes();
 }
 
 TePatchData& TeGrowingTree::insert(std::int64_t x, std::int64_t y, std::unique_ptr<TePatchData> patch) {
-  assert(patch && !find(x, y));
+  assert(patch && patch->key().x == x && patch->key().y == y && !find(x, y));
   TePatchData& stored = *patch;
   reserve();
+  m_index.add(stored);
   const std::int32_t leaf = newLeaf(std::move(patch));
   ++m_size;
   if (m_root == kNone) {
@@ -67,6 +56,7 @@ void TeGrowingTree::reserve() {
   makeRoom(m_freeNodes, m_nodes.capacity());
   makeRoom(m_leaves, m_leaves.size() + 1);
   makeRoom(m_freeLeaves, m_leaves.capacity());
+  m_index.reserve(m_size + 1);
 }
 
 void TeGrowingTree::grow(std::int64_t x, std::int64_t y) {
@@ -98,6 +88,7 @@ std::unique_ptr<TePatchData> TeGrowingTree::remove(std::int64_t x, std::int64_t 
   }
   std::unique_ptr<TePatchData> patch = std::move(m_leaves[std::size_t(index)]);
   m_freeLeaves.push_back(index);
+  m_index.remove(*patch);
   --m_size;
   while (depth > 0) {
     --depth;

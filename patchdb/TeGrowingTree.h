@@ -1,10 +1,10 @@
 #pragma once
 
+#include "patchdb/TePatchIndex.h"
+
 #include <cstdint>
 #include <memory>
 #include <vector>
-
-class TePatchData;
 
 /// The growing quadtree (document 002, the patch database): an index from integer cells of one level to the
 /// patches stored there, which it owns.
@@ -14,8 +14,8 @@ class TePatchData;
 /// root's side, and per axis it grows toward the request if that lies outside on this axis, else in the
 /// positive direction, until the cell is inside.
 ///
-/// find, insert and remove cost O(depth), depth = log2(span) <= 49 for cells within ±2^47. An inner node
-/// takes 16 bytes; one without leaves is freed at once.
+/// insert and remove cost O(depth), depth = log2(span) <= 49 for cells within ±2^47; find costs the same for
+/// any number of patches (TePatchIndex). An inner node takes 16 bytes; one without leaves is freed at once.
 class TeGrowingTree {
 public:
   /// Cells x .. x + span - 1, y .. y + span - 1; span 0 = an empty tree.
@@ -48,8 +48,9 @@ public:
   std::size_t bytes() const;
 
   /// Null if nothing is stored there.
-  TePatchData* find(std::int64_t x, std::int64_t y) const;
-  /// Stores a patch; the cell must be free and within ±2^47. If memory runs out it throws and is as before.
+  TePatchData* find(std::int64_t x, std::int64_t y) const { return m_index.find(x, y); }
+  /// Stores a patch in the cell of its key, which must be free and within ±2^47. If memory runs out it throws
+  /// and is as before.
   TePatchData& insert(std::int64_t x, std::int64_t y, std::unique_ptr<TePatchData> patch);
   /// Takes a patch out; null if nothing is stored there. The bounds stay as they are until the last is gone.
   std::unique_ptr<TePatchData> remove(std::int64_t x, std::int64_t y);
@@ -114,4 +115,5 @@ private:
   std::vector<std::int32_t> m_freeNodes;
   std::vector<std::unique_ptr<TePatchData>> m_leaves;
   std::vector<std::int32_t> m_freeLeaves;
+  TePatchIndex m_index;
 };

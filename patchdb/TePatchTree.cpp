@@ -1,7 +1,5 @@
 #include "patchdb/TePatchTree.h"
 
-TePatchData* TePatchTree::find(const TePatchKey& key) const { return level(key.level).find(key.x, key.y); }
-
 TeResult<TePatchData*> TePatchTree::lookup(const TePatchKey& key, TeLookup strategy) {
   if (!key.valid())
     return TeError{"patch " + key.text() + ": outside the world"};
@@ -66,8 +64,4 @@ std::size_t TePatchTree::bytes() const {
   for (const TeGrowingTree& tree : m_levels)
     sum += tree.bytes();
   return sum;
-}
-
-const TeGrowingTree& TePatchTree::level(int level) const {
-  return level >= 0 && level < int(m_levels.size()) ? m_levels[std::size_t(level)] : m_noLevel;
 }

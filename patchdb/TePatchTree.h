@@ -11,8 +11,8 @@ enum class TeLookup { Create, NearestCoarser, Null };
 /// A record keeps its address until it is removed. Not thread-safe except for concurrent const calls.
 class TePatchTree {
 public:
-  /// Null if not known; O(depth of the level's tree).
-  TePatchData* find(const TePatchKey& key) const;
+  /// Null if not known. The cost does not grow with the number of patches.
+  TePatchData* find(const TePatchKey& key) const { return level(key.level).find(key.x, key.y); }
   /// By strategy: the record, made if there is none; or that of the nearest known ancestor (the patch itself
   /// first), null if there is none; or null. Error: the key is not valid.
   TeResult<TePatchData*> lookup(const TePatchKey& key, TeLookup strategy);
@@ -24,7 +24,9 @@ public:
   std::size_t size() const;
   std::size_t bytes() const;
   /// The tree of a level; empty if nothing of that level is stored.
-  const TeGrowingTree& level(int level) const;
+  const TeGrowingTree& level(int level) const {
+    return level >= 0 && level < int(m_levels.size()) ? m_levels[std::size_t(level)] : m_noLevel;
+  }
 
 private:
   TePatchData& create(const TePatchKey& key);
