@@ -15,26 +15,31 @@ void TePatchData::link(TePatchData& patch, TeDirection direction, TePatchData& o
 }
 
 void TePatchData::setHeights(TeHeightMap heights, float deviation) {
-  dropSeams();
-  m_heights = std::move(heights);
-  m_deviation = deviation;
-  float* samples = m_heights.data();
-  const std::size_t count = m_heights.bytes() / sizeof(float);
-  float low = HUGE_VALF, high = -HUGE_VALF;
-  m_missing = 0;
-  for (std::size_t i = 0; i < count; ++i) {
-    const bool finite = std::fabs(samples[i]) < HUGE_VALF;
-    m_missing += finite ? 0 : 1;
-    low = finite && samples[i] < low ? samples[i] : low;
-    high = finite && samples[i] > high ? samples[i] : high;
-  }
-  if (m_missing > 0)
+  float* samples = heights.data();
+  const std::size_t count = heights.bytes() / sizeof(float);
+  std::int64_t missing = 0;
+  for (std::size_t i = 0; i < count; ++i)
+    missing += std::fabs(samples[i]) < HUGE_VALF ? 0 : 1;
+  if (missing > 0)
     for (std::size_t i = 0; i < count; ++i)
       if (!(std::fabs(samples[i]) < HUGE_VALF))
         samples[i] = TeHeightMap::missing();
-  const bool any = low <= high;
-  m_minimum = any ? low : 0;
-  m_maximum = any ? high : 0;
+  TeHeightBlocks blocks(heights, missing > 0);
+
+  dropSeams();
+  m_heights = std::move(heights);
+  m_blocks = std::move(blocks);
+  m_missing = missing;
+  m_deviation = deviation;
+  if (m_missing == 0 && m_blocks.levels() > 0) {
+    const TeHeightBlocks::Range& whole = m_blocks.range(m_blocks.levels(), 0, 0);
+    m_minimum = whole.low;
+    m_maximum = whole.high;
+  } else {
+    const TeMapStatistics statistics = m_heights.statistics();
+    m_minimum = statistics.minimum;
+    m_maximum = statistics.maximum;
+  }
 }
 
 void TePatchData::dropHeights() { setHeights(TeHeightMap()); }

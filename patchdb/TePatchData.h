@@ -1,5 +1,6 @@
 #pragma once
 
+#include "patchdb/TeHeightBlocks.h"
 #include "patchdb/TePatchMesh.h"
 #include "patchdb/TeSourceMap.h"
 
@@ -42,7 +43,8 @@ public:
   /// (n+1)×(n+1) samples; sample (0, 0) is the south-west corner. Empty before buildHeights().
   const TeHeightMap& heights() const { return m_heights; }
   /// Replaces the heights; samples that are not finite become missing. `deviation`: how far, in metres, the
-  /// surface of the base level may lie from this patch's surface (0 at the base level). Drops the seams.
+  /// surface of the base level may lie from this patch's surface (0 at the base level). Drops the seams. If
+  /// memory runs out it throws and is as before.
   void setHeights(TeHeightMap heights, float deviation = 0);
   void dropHeights();
   /// Of the samples that are not missing; both 0 if all are.
@@ -50,6 +52,10 @@ public:
   float maximum() const { return m_maximum; }
   bool hasMissing() const { return m_missing > 0; }
   float deviation() const { return m_deviation; }
+  /// Lowest and highest heights of parts.
+  const TeHeightBlocks& blocks() const { return m_blocks; }
+  /// Of the record, its heights and their blocks; without source maps and seams, which patches share.
+  std::size_t bytes() const { return sizeof(*this) + m_heights.bytes() + m_blocks.bytes(); }
 
   /// Null if that patch is not known.
   TePatchData* neighbour(TeDirection direction) { return m_neighbours[std::size_t(direction)]; }
@@ -70,6 +76,7 @@ private:
   TeHeightMap m_heights;
   TePatchMaps m_maps;
   bool m_hasMaps = false;
+  TeHeightBlocks m_blocks;
   float m_minimum = 0;
   float m_maximum = 0;
   float m_deviation = 0;

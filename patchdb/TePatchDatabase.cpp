@@ -1,5 +1,6 @@
 #include "patchdb/TePatchDatabase.h"
 
+#include "patchdb/TeCoarseHeights.h"
 #include "patchdb/TePatchJob.h"
 #include "patchdb/TeSeamBuilder.h"
 
@@ -77,6 +78,18 @@ TeResult<TePatchData*> TePatchDatabase::build(const TePatchKey& key) {
   return find(key);
 }
 
+TeResult<TePatchData*> TePatchDatabase::buildCoarse(const TePatchKey& key) {
+  return guarded([&]() -> TeResult<TePatchData*> {
+    TeResult<TeCoarseHeights> coarse = teCoarseHeights(lattice(), m_tree, key);
+    if (!coarse)
+      return coarse.error();
+    const TeResult<TePatchData*> patch = m_tree.lookup(key, TeLookup::Create);
+    if (patch)
+      (*patch)->setHeights(std::move(coarse->heights), coarse->deviation);
+    return patch;
+  });
+}
+
 TeResult<TeMeshBuilder> TePatchDatabase::meshBuilder(const TePatchData& patch) const {
   if (!patch.hasHeights())
     return TeError{"patch " + patch.key().text() + ": has no heights yet"};
@@ -128,7 +141,11 @@ std::optional<TeSurfacePoint> TePatchDatabase::surfaceAt(glm::dvec2 point) const
   return m_surface.pointAt(point);
 }
 
+std::optional<TeSurfacePoint> TePatchDatabase::surfaceAt(glm::dvec2 point, int level) const {
+  return m_surface.pointAt(point, level);
+}
+
 std::optional<TeRayHit> TePatchDatabase::intersect(glm::dvec3 origin, glm::dvec3 direction,
-                                                   double maxDistance) const {
-  return m_surface.intersect(origin, direction, maxDistance);
+                                                   double maxDistance, int level) const {
+  return m_surface.intersect(origin, direction, maxDistance, level);
 }

@@ -58,6 +58,9 @@ public:
   /// Both, creating the record: the patch is ready to be drawn. A patch with heights is left as it is.
   /// Error: the key is invalid or not of the base level, or a source failed.
   TeResult<TePatchData*> build(const TePatchKey& key);
+  /// Makes a patch of a level above 0 from the base patches below it, which all must have heights, with the
+  /// exact deviation of its surface from theirs (TeCoarseHeights). One with heights is made again.
+  TeResult<TePatchData*> buildCoarse(const TePatchKey& key);
   /// The patch's inside as a mesh: cells 1 .. n-2 of each side. Error: no heights.
   TeResult<TePatchMesh> patchMesh(const TePatchData& patch) const;
   /// The same in slices; the patch must keep its heights until it is done.
@@ -72,14 +75,17 @@ public:
   std::optional<double> heightAt(glm::dvec2 point) const;
   /// Unit normal of the triangle below or above the point (of one of them on an edge).
   std::optional<glm::dvec3> normalAt(glm::dvec2 point) const;
-  /// First hit of the ray with the surface of the base patches, from above or below, at a distance within
-  /// [0, maxDistance] (in units of the direction's length, which need not be 1; infinity is allowed). None
-  /// also for an origin or direction that is not finite, and a direction of length 0. Visits known patches
-  /// only.
-  std::optional<TeRayHit> intersect(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const;
+  /// First hit of the ray with the surface of the patches of a level, from above or below, at a distance
+  /// within [0, maxDistance] (in units of the direction's length, which need not be 1; infinity is allowed).
+  /// None also for an origin or direction that is not finite, and a direction of length 0. Visits known
+  /// patches only.
+  std::optional<TeRayHit> intersect(glm::dvec3 origin, glm::dvec3 direction, double maxDistance,
+                                    int level = 0) const;
 
   /// Height from the finest known patch, and how far the base level may differ from it.
   std::optional<TeSurfacePoint> surfaceAt(glm::dvec2 point) const;
+  /// The same from the patch of a level; none if that is not known, though others may be.
+  std::optional<TeSurfacePoint> surfaceAt(glm::dvec2 point, int level) const;
 
 private:
   explicit TePatchDatabase(TeWorld world)

@@ -14,12 +14,15 @@ class TeSurface {
 public:
   TeSurface(const TeLattice& lattice, const TePatchTree& tree)
       : m_lattice(&lattice), m_tree(&tree), m_perMetre(1 / lattice.spacing()),
-        m_halfCell(0.5 * lattice.spacing()), m_cells(lattice.cells()) {}
+        m_halfCell(0.5 * lattice.spacing()), m_perCells(1 / double(lattice.cells())),
+        m_cells(lattice.cells()) {}
 
   std::optional<double> heightAt(glm::dvec2 point) const;
   std::optional<glm::dvec3> normalAt(glm::dvec2 point) const;
   std::optional<TeSurfacePoint> pointAt(glm::dvec2 point) const;
-  std::optional<TeRayHit> intersect(glm::dvec3 origin, glm::dvec3 direction, double maxDistance) const;
+  std::optional<TeSurfacePoint> pointAt(glm::dvec2 point, int level) const;
+  std::optional<TeRayHit> intersect(glm::dvec3 origin, glm::dvec3 direction, double maxDistance,
+                                    int level) const;
 
   /// To be called before a patch is removed.
   void forget() { m_last = nullptr; }
@@ -32,17 +35,21 @@ private:
     double u = 0;
     double v = 0;
   };
-  bool locate(glm::dvec2 point, Place& place) const;
+  static constexpr int kFinest = -1; ///< in place of a level: of what is known there
+  bool locate(glm::dvec2 point, int level, Place& place) const;
   /// The bits of TeLattice::position(), within reach of the optimiser.
   double position(std::int64_t sample) const { return double(2 * sample - m_cells) * m_halfCell; }
   std::int64_t sampleBelow(double position, double& fraction) const;
-  bool locateInCell(std::int64_t sampleX, std::int64_t sampleY, Place& place) const;
+  bool locateInCell(std::int64_t sampleX, std::int64_t sampleY, int level, Place& place) const;
+  std::int64_t patchAt(std::int64_t sample) const;
   const TePatchData* patchOf(std::int64_t sampleX, std::int64_t sampleY) const;
+  const TePatchData* patchOf(std::int64_t sampleX, std::int64_t sampleY, int level) const;
 
   const TeLattice* m_lattice;
   const TePatchTree* m_tree;
   double m_perMetre;
   double m_halfCell;
+  double m_perCells;
   std::int64_t m_cells;
   mutable std::atomic<const TePatchData*> m_last{nullptr}; ///< answered last; the next query is often near
 };

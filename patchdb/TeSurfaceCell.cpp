@@ -1,18 +1,6 @@
-#include "patchdb/TeSurfaceCell.h"
+#include "patchdb/TeSurfaceCell.inl"
 
-// The far edges have a formula of their own: a difference of two heights of very different size may be
-// rounded, and corners must come out exactly.
-double TeSurfaceCell::height(double u, double v) const {
-  if (u == 1 && v == 1)
-    return northEast;
-  if (u == 1)
-    return southEast + v * (double(northEast) - southEast);
-  if (v == 1)
-    return northWest + u * (double(northEast) - northWest);
-  if (u >= v)
-    return southWest + u * (double(southEast) - southWest) + v * (double(northEast) - southEast);
-  return southWest + u * (double(northEast) - northWest) + v * (double(northWest) - southWest);
-}
+double TeSurfaceCell::height(double u, double v) const { return teCellHeight(*this, u, v); }
 
 glm::dvec3 TeSurfaceCell::normal(double u, double v, double spacing) const {
   const bool south = u >= v;

@@ -178,6 +178,75 @@ TEST(TeSurface, RaysHitWhereTheHeightsSay) {
   EXPECT_GT(hits, 2000);
 }
 
+/// The same ray from cell to cell of a small lattice, whose patches have no blocks to pass over, and of large
+/// patches.
+TEST(TeSurface, RaysHitTheSameWhateverThePatchesSize) {
+  const auto function = [](std::int64_t x, std::int64_t y) {
+    if (x == 37 && y == -20)
+      return TeHeightMap::missing();
+    return float(30 * std::sin(double(x) / 25) * std::cos(double(y) / 31) +
+                 std::sin(double(x * y)) * (x > 0 ? 3 : 0.1));
+  };
+  // With samples at the same places: half a patch of either size is a whole number of cells.
+  auto small = teSampleWorld([&](std::int64_t x, std::int64_t y) { return function(x - 4, y - 4); }, 17);
+  auto large = teSampleWorld([&](std::int64_t x, std::int64_t y) { return function(x - 36, y - 36); }, 145);
+  buildBlock(*small, -13, 13);
+  buildBlock(*large, -1, 1);
+  TeRandom random(3, 9, {});
+  int hits = 0;
+  for (int i = 0; i < 10000; ++i) {
+    const glm::dvec3 from(random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(-40, 60));
+    const glm::dvec3 to(random.uniform(-100, 100), random.uniform(-100, 100), random.uniform(-60, 40));
+    const auto a = small->intersect(from, to - from, 1);
+    const auto b = large->intersect(from, to - from, 1);
+    ASSERT_EQ(a.has_value(), b.has_value()) << i;
+    if (!a)
+      continue;
+    ++hits;
+    ASSERT_NEAR(a->distance, b->distance, 1e-12);
+    ASSERT_NEAR(a->position.z, b->position.z, 1e-9);
+  }
+  EXPECT_GT(hits, 3000);
+}
+
+TEST(TeSurface, RaysMeetTheSurfaceOfTheLevelAskedFor) {
+  auto database = teTestDatabase(std::make_shared<TeHashSource>(2, 4.0f), 17, 0.7);
+  buildBlock(*database, 0, 3);
+  for (int y = 0; y < 2; ++y)
+    for (int x = 0; x < 2; ++x)
+      ASSERT_TRUE(database->buildCoarse({x, y, 1}));
+  TeRandom random(1, 10, {});
+  const double side = database->lattice().patchSide();
+  int hits = 0, differ = 0;
+  for (int i = 0; i < 4000; ++i) {
+    const auto anywhere = [&](double z) {
+      return glm::dvec3(random.uniform(-0.45, 3.45) * side, random.uniform(-0.45, 3.45) * side, z);
+    };
+    const glm::dvec3 from = anywhere(random.uniform(-5, 15)), to = anywhere(random.uniform(-15, 5));
+    const auto hit = database->intersect(from, to - from, 1, 1);
+    const bool above = from.z > database->surfaceAt({from.x, from.y}, 1)->height;
+    const bool ends = to.z > database->surfaceAt({to.x, to.y}, 1)->height;
+    if (above != ends) {
+      ASSERT_TRUE(hit) << i;
+    }
+    if (!hit)
+      continue;
+    ++hits;
+    EXPECT_EQ(hit->key.level, 1);
+    ASSERT_NEAR(hit->position.z, database->surfaceAt({hit->position.x, hit->position.y}, 1)->height, 1e-9);
+    differ += std::fabs(hit->position.z - *database->heightAt({hit->position.x, hit->position.y})) > 1e-3;
+    const auto down = database->intersect({hit->position.x, hit->position.y, 100}, {0, 0, -1}, INFINITY, 1);
+    ASSERT_TRUE(down);
+    ASSERT_NEAR(down->position.z, hit->position.z, 1e-9);
+  }
+  EXPECT_GT(hits, 2000);
+  EXPECT_GT(differ, 1000);
+  EXPECT_FALSE(database->intersect({0, 0, 100}, {1, 0, -1}, INFINITY, 2));
+  EXPECT_FALSE(database->intersect({0, 0, 100}, {1, 0, -1}, INFINITY, -1));
+  EXPECT_FALSE(database->surfaceAt({0, 0}, 2));
+  EXPECT_FALSE(database->surfaceAt({0, 0}, -1));
+}
+
 TEST(TeSurface, RaysOverUnknownLandCostNothing) {
   auto database = teSampleWorld([](std::int64_t, std::int64_t) { return 100.0f; }, 17);
   const std::int64_t far = 1 << 30;

@@ -10,8 +10,10 @@
 // border and the diagonals, through samples, at steps of 10 to 10^4 m: always hit.
 TEST(HardCase, TunnellingPatchdb) {
   long rays = 0;
-  for (double spacing : {1.0, 0.1, 27.3}) {
-    const int n = 8;
+  // Patches of one, of 4×4 and of 2×2×8×8 blocks of cells.
+  for (const auto& shape : {std::pair(1.0, 8), {0.1, 8}, {27.3, 8}, {1.0, 32}, {0.7, 65}}) {
+    const double spacing = shape.first;
+    const int n = shape.second;
     auto database = teTestDatabase(std::make_shared<TeHashSource>(3, float(2 * spacing)), 2 * n + 1, spacing);
     for (int y = -1; y <= 1; ++y)
       for (int x = -1; x <= 1; ++x)
