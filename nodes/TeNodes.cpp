@@ -1,6 +1,7 @@
 #include "nodes/TeNodes.h"
 
 #include "nodes/clipmap/SoTeClipmap.h"
+#include "nodes/lod/SoTeLodTerrain.h"
 #include "nodes/seamless/SoTeSeamlessPatches.h"
 #include "nodes/terrain/SoTeStaticTerrain.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
@@ -16,6 +17,7 @@ void TeNodes::init() {
   SoInteraction::init();
   SoTeTerrainDetail::initClass();
   SoTeClipmap::initClass();
+  SoTeLodTerrain::initClass();
   SoTeSeamlessPatches::initClass();
   SoTeStaticTerrain::initClass();
   SoTeTerrainMesh::initClass();

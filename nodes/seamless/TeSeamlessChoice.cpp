@@ -2,8 +2,6 @@
 
 #include "generators/base/TeAllowance.h"
 
-#include <glm/geometric.hpp>
-
 namespace {
 
 bool isSame(const TeSeamlessPlacement& a, const TeSeamlessPlacement& b) {
@@ -14,11 +12,6 @@ bool isSame(const TeSeamlessPlacement& a, const TeSeamlessPlacement& b) {
 bool isSame(const TeSeamlessAccuracy& a, const TeSeamlessAccuracy& b) {
   return a.precision == b.precision && a.pixelError == b.pixelError && a.exact == b.exact &&
          a.geomorph == b.geomorph && a.maxPatches == b.maxPatches && a.rounding == b.rounding;
-}
-
-bool isSame(const TeLodView& a, const TeLodView& b) {
-  return a.eye == b.eye && a.perspective == b.perspective && a.focal == b.focal && a.slack == b.slack &&
-         a.planeCount == b.planeCount && a.planes == b.planes;
 }
 
 bool isSame(const TeClipResidency& a, const TeClipResidency& b) {
@@ -42,36 +35,30 @@ bool TeSeamlessChoice::hasGround(const TeSeamlessTerrainPtr& terrain,
 TeLodView TeSeamlessChoice::held(const TeSeamlessTerrainPtr& terrain, const TeLodView& view,
                                  const TeSeamlessPlacement& placement,
                                  const TeSeamlessAccuracy& accuracy) const {
-  TeLodView held = view;
-  if (!view.perspective || accuracy.geomorph)
-    return held;
-  held.slack = holdRadius(placement);
-  if (hasGround(terrain, placement) && m_view.perspective && m_view.slack > 0 &&
-      glm::length(view.eye - m_view.eye) <= m_view.slack)
-    held.eye = m_view.eye;
-  return held;
+  const double radius = accuracy.geomorph ? 0 : holdRadius(placement);
+  return hasGround(terrain, placement) ? m_view.held(view, radius) : TeHeldView().held(view, radius);
 }
 
 bool TeSeamlessChoice::update(const TeSeamlessTerrainPtr& terrain,
                               const std::shared_ptr<const TeSeamlessParts>& parts, const TeLodView& view,
                               const TeSeamlessPlacement& placement, const TeSeamlessAccuracy& accuracy,
                               const TeClipResidency* residency) {
-  const TeLodView held = this->held(terrain, view, placement, accuracy);
-  if (hasGround(terrain, placement) && m_parts == parts && isSame(m_view, held) &&
-      isSame(m_accuracy, accuracy) && m_isLimited == (residency != nullptr) &&
-      (!residency || isSame(m_residency, *residency)))
+  if (!hasGround(terrain, placement))
+    m_view.release();
+  const bool isNewView = m_view.update(view, accuracy.geomorph ? 0 : holdRadius(placement));
+  if (!isNewView && m_parts == parts && isSame(m_accuracy, accuracy) &&
+      m_isLimited == (residency != nullptr) && (!residency || isSame(m_residency, *residency)))
     return false;
 
   m_terrain = terrain;
   m_parts = parts;
-  m_view = held;
   m_placement = placement;
   m_accuracy = accuracy;
   m_isLimited = residency != nullptr;
   if (residency)
     m_residency = *residency;
   const double start = teThreadCpuSeconds();
-  terrain->selector.select(held, placement, accuracy, residency, m_selection);
+  terrain->selector.select(m_view.view(), placement, accuracy, residency, m_selection);
   m_lists.build(m_selection, terrain->layout, *parts);
   m_seconds = teThreadCpuSeconds() - start;
   m_selections++;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "nodes/lod/TeHeldView.h"
 #include "nodes/seamless/TeSeamlessLists.h"
 #include "nodes/seamless/TeSeamlessTerrain.h"
 
@@ -7,11 +8,7 @@
 
 /// What one viewer's frame draws, chosen again only when something has changed since the frame before.
 ///
-/// The eye is *held*: while the true eye stays within holdRadius() of where it was when last taken over, the
-/// selection is made for the held one, and the selector is told that the true eye may be that much nearer
-/// (TeLodView::slack). So a trembling camera switches nothing, and stated errors hold for every eye within
-/// the radius. What is in view is always decided by the true planes. With geomorphing, whose changes are
-/// smooth, and in orthographic views, where the eye's place does not matter, nothing is held.
+/// The eye is held within holdRadius() (TeHeldView), but not with geomorphing, whose changes are smooth.
 class TeSeamlessChoice {
 public:
   /// Half the distance of samples: nothing that is drawn is finer.
@@ -30,7 +27,7 @@ public:
   const TeSeamlessSelection& selection() const { return m_selection; }
   const TeSeamlessLists& lists() const { return m_lists; }
   /// View of the selection, with the held eye.
-  const TeLodView& view() const { return m_view; }
+  const TeLodView& view() const { return m_view.view(); }
   /// CPU time of the last selection with its lists; how many there have been.
   double seconds() const { return m_seconds; }
   std::uint64_t selections() const { return m_selections; }
@@ -40,7 +37,7 @@ private:
 
   TeSeamlessTerrainPtr m_terrain;
   std::shared_ptr<const TeSeamlessParts> m_parts;
-  TeLodView m_view;
+  TeHeldView m_view;
   TeSeamlessPlacement m_placement;
   TeSeamlessAccuracy m_accuracy;
   bool m_isLimited = false; ///< by residency

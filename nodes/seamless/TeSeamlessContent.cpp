@@ -1,11 +1,10 @@
 #include "nodes/seamless/TeSeamlessContent.h"
 
-#include "generators/base/TeText.h"
 #include "generators/elevation/TeElevationOptions.h"
+#include "nodes/lod/TeSquareExtent.h"
 #include "nodes/seamless/TeSeamlessBoundsFile.h"
 #include "nodes/seamless/TeSeamlessHeightFile.h"
 
-#include <cmath>
 #include <utility>
 
 namespace {
@@ -16,26 +15,18 @@ TeResult<TeSeamlessLayout> makeLayout(const TeSeamlessContent::Sizes& sizes) {
   return TeSeamlessLayout::create(sizes.resolution, sizes.minPatchResolution, sizes.levels);
 }
 
-bool isSize(double metres) { return metres >= 0 && metres <= TeSeamlessContent::kLargestSize; }
-
 } // namespace
 
 TeResult<TeSeamlessPlacement> TeSeamlessContent::place(const glm::dvec3& size,
                                                        const glm::dvec3& middle) const {
-  if (!isSize(size.x) || !isSize(size.y) || !isSize(size.z))
-    return TeError{"size " + teNumberText(size.x) + " " + teNumberText(size.y) + " " + teNumberText(size.z) +
-                   ": extents and height are from 0 to " + teNumberText(kLargestSize) + " metres"};
-  if (size.x != size.y)
-    return TeError{"size: the extents in x and y, " + teNumberText(size.x) + " and " + teNumberText(size.y) +
-                   ", are not equal"};
-  if (!std::isfinite(middle.x) || !std::isfinite(middle.y) || !std::isfinite(middle.z))
-    return TeError{"center and origin are not finite"};
-  const double cells = terrain->layout.resolution();
+  const TeResult<TeLodField::Placement> placed =
+      TeSquareExtent{terrain->layout.resolution(), spacing, isRaw}.place(size, middle);
+  if (!placed)
+    return placed.error();
   TeSeamlessPlacement placement;
-  placement.spacing = size.x > 0 ? size.x / cells : spacing;
-  const double half = placement.spacing * cells / 2;
-  placement.corner = middle - glm::dvec3(half, half, 0);
-  placement.heightScale = isRaw ? size.z / kLargestNumber : 1;
+  placement.corner = placed->corner;
+  placement.spacing = placed->spacing;
+  placement.heightScale = placed->heightScale;
   placement.range = terrain->range;
   return placement;
 }

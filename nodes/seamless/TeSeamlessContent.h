@@ -27,8 +27,6 @@ struct TeSeamlessContent {
     int levels = 3;
   };
 
-  static constexpr double kLargestSize = 1e9; ///< metres
-
   /// Where it lies: extents in x and y (0: as `spacing` says) and height of the largest 16 bit number, around
   /// `middle`. Error: unequal extents, one of them out of range, not finite.
   TeResult<TeSeamlessPlacement> place(const glm::dvec3& size, const glm::dvec3& middle) const;

@@ -1,69 +1,14 @@
 #include "nodes/seamless/TeSeamlessViewers.h"
 
-#include "generators/base/TeHash.h"
-#include "nodes/lod/TeCameraView.h"
+#include "nodes/lod/TeActionView.h"
 #include "nodes/seamless/TeSeamlessRenderer.h"
 
-#include <Inventor/SbLine.h>
-#include <Inventor/SoPath.h>
 #include <Inventor/actions/SoGLRenderAction.h>
-#include <Inventor/elements/SoComplexityElement.h>
 #include <Inventor/elements/SoGLCacheContextElement.h>
-#include <Inventor/elements/SoModelMatrixElement.h>
-#include <Inventor/elements/SoProjectionMatrixElement.h>
-#include <Inventor/elements/SoViewingMatrixElement.h>
 #include <Inventor/misc/SoContextHandler.h>
 #include <Inventor/misc/SoState.h>
 
-#include <glm/geometric.hpp>
-#include <glm/mat4x4.hpp>
-
 #include <algorithm>
-#include <cmath>
-
-namespace {
-
-constexpr double kDefaultViewPixels = 1024;
-constexpr double kRayMargin = 1e-6; ///< of what is added in single precision
-
-/// Coin multiplies rows by matrices, glm matrices by columns: the same numbers in memory.
-glm::dmat4 toGlm(const SbMatrix& matrix) {
-  glm::dmat4 result;
-  for (int i = 0; i < 4; i++) {
-    for (int j = 0; j < 4; j++)
-      result[i][j] = double(matrix[i][j]);
-  }
-  return result;
-}
-
-/// Sees what lies along a line from its beginning on, as sharply as before.
-void seeOnly(const SbLine& line, double size, TeLodView& view) {
-  const SbVec3f& start = line.getPosition();
-  const SbVec3f& ahead = line.getDirection();
-  const glm::dvec3 from(start[0], start[1], start[2]);
-  const glm::dvec3 along = glm::normalize(glm::dvec3(ahead[0], ahead[1], ahead[2]));
-  const glm::dvec3 other = std::abs(along.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
-  const glm::dvec3 across = glm::normalize(glm::cross(along, other));
-  const glm::dvec3 up = glm::cross(along, across);
-  const double margin = kRayMargin * (glm::length(from) + size);
-  view.planeCount = 0;
-  for (const glm::dvec3& normal : {across, -across, up, -up, along})
-    view.planes[std::size_t(view.planeCount++)] = glm::dvec4(normal, margin - glm::dot(normal, from));
-}
-
-/// The place in the scene that an action has come to. Coin means any path to be looked at as a full one,
-/// which the sanitizer does not know.
-__attribute__((no_sanitize("vptr"))) std::uint64_t placeOf(SoAction* action) {
-  const auto* path = static_cast<const SoFullPath*>(action->getCurPath());
-  std::uint64_t hash = 0;
-  for (int i = 0; path && i < path->getLength(); i++) {
-    const std::int32_t index = path->getIndex(i);
-    hash = teHashBytes(&index, sizeof index, hash);
-  }
-  return hash;
-}
-
-} // namespace
 
 TeSeamlessViewers::TeSeamlessViewers() {
   SoContextHandler::addContextDestructionCallback(&TeSeamlessViewers::onContextDestroyed, this);
@@ -126,7 +71,7 @@ TeSeamlessViewer& TeSeamlessViewers::viewer(const Key& key) {
 }
 
 TeSeamlessViewer* TeSeamlessViewers::lastViewer(SoAction* action) {
-  const std::uint64_t place = placeOf(action);
+  const std::uint64_t place = TeActionView::placeOf(action);
   TeSeamlessViewer* last = nullptr;
   bool lastIsThere = false;
   for (auto& [key, viewer] : m_viewers) {
@@ -143,28 +88,16 @@ SbBox3f TeSeamlessViewers::box() const {
   return TeSeamlessSurface::box(m_scene.placement, m_scene.content.terrain->layout);
 }
 
-TeLodView TeSeamlessViewers::defaultView() const {
+std::optional<TeLodView> TeSeamlessViewers::view(SoState* state) const {
   const TeSeamlessPlacement& placement = m_scene.placement;
   const double side = placement.spacing * m_scene.content.terrain->layout.resolution();
   const double top = placement.corner.z + double(placement.range.high) * placement.heightScale;
-  TeLodView view;
-  view.eye = {placement.corner.x + side / 2, placement.corner.y + side / 2, top + side};
-  view.focal = kDefaultViewPixels;
-  return view;
-}
-
-std::optional<TeLodView> TeSeamlessViewers::view(SoState* state) const {
-  if (!TeCameraView::hasCamera(state))
-    return defaultView();
-  return m_scene.lodCamera ? TeCameraView::fromCamera(*m_scene.lodCamera, state)
-                           : TeCameraView::fromState(state);
+  return TeActionView::view(state, m_scene.lodCamera.get(),
+                            TeActionView::fromAbove(placement.corner, side, top));
 }
 
 TeSeamlessAccuracy TeSeamlessViewers::accuracy(SoState* state) const {
-  double complexity = 0.5;
-  if (state->isElementEnabled(SoComplexityElement::getClassStackIndex()))
-    complexity = std::clamp(double(SoComplexityElement::get(state)), 0.0, 1.0);
-  const double factor = std::pow(16.0, complexity - 0.5);
+  const double factor = TeActionView::accuracyFactor(state);
   TeSeamlessAccuracy accuracy = m_scene.accuracy;
   accuracy.precision = std::max(1.0, accuracy.precision * factor);
   accuracy.pixelError /= factor;
@@ -181,7 +114,7 @@ TeStatus TeSeamlessViewers::draw(SoGLRenderAction* action) {
   if (!seen)
     return {};
   const std::uint32_t context = std::uint32_t(SoGLCacheContextElement::get(state));
-  TeSeamlessViewer& viewer = this->viewer({context, placeOf(action)});
+  TeSeamlessViewer& viewer = this->viewer({context, TeActionView::placeOf(action)});
   const std::int64_t uploaded = viewer.bytesUploaded();
   const std::uint64_t selections = viewer.choice.selections();
   if (TeStatus status = viewer.follow(m_scene, context, seen->eye, true); !status)
@@ -190,9 +123,8 @@ TeStatus TeSeamlessViewers::draw(SoGLRenderAction* action) {
     return status;
   viewer.choice.update(m_scene.content.terrain, m_parts, *seen, m_scene.placement, accuracy(state),
                        viewer.residency());
-  const glm::dmat4 fromModel =
-      toGlm(SoViewingMatrixElement::get(state)) * toGlm(SoModelMatrixElement::get(state));
-  TeSeamlessFrame frame(m_scene.placement, fromModel, toGlm(SoProjectionMatrixElement::get(state)));
+  TeSeamlessFrame frame(m_scene.placement, TeActionView::eyeFromModel(state),
+                        TeActionView::projection(state));
   frame.heightClipmap = viewer.heights ? &viewer.heights->texture() : nullptr;
   frame.colourClipmap = viewer.colours ? &viewer.colours->texture() : nullptr;
   TeResult<TeSeamlessCounts> drawn = m_drawing->draw(context, viewer.choice.lists(), m_scene.look, frame);
@@ -249,7 +181,7 @@ TeSeamlessViewer* TeSeamlessViewers::select(SoAction* action, const SbLine* alon
   const TeSeamlessAccuracy wanted = accuracy(state);
   TeLodView held = viewer->choice.held(terrain, *seen, m_scene.placement, wanted);
   if (along)
-    seeOnly(*along, m_scene.placement.spacing * terrain->layout.resolution(), held);
+    TeActionView::seeOnly(*along, m_scene.placement.spacing * terrain->layout.resolution(), held);
   terrain->selector.select(held, m_scene.placement, wanted, viewer->residency(), selection);
   return viewer;
 }

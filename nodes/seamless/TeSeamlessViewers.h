@@ -63,7 +63,6 @@ private:
   void releaseAll();
 
   std::optional<TeLodView> view(SoState* state) const;
-  TeLodView defaultView() const; ///< where there is no camera
   TeSeamlessAccuracy accuracy(SoState* state) const;
   void count(const TeSeamlessViewer& viewer, const TeSeamlessCounts& drawn);
 

@@ -5,6 +5,7 @@
 #include "render/TeGlNeighbour.h"
 #include "render/TeSeamlessNodeTest.h"
 #include "render/comparePixels.h"
+#include "render/glObjects.h"
 #include "render/magenta.h"
 
 #include <Inventor/SoDB.h>
@@ -32,19 +33,6 @@
 namespace {
 
 class SoTeSeamlessPatchesTest : public TeSeamlessNodeTest {};
-
-/// Textures, buffers, programs and the like that a context has, which is current.
-int objects(const TeContext& context) {
-  int count = 0;
-  for (const char* name : {"glIsTexture", "glIsBuffer", "glIsProgram", "glIsShader", "glIsVertexArray",
-                           "glIsSampler", "glIsQuery", "glIsTransformFeedback"}) {
-    const auto isObject = reinterpret_cast<GLboolean (*)(GLuint)>(context.procAddress(name));
-    EXPECT_TRUE(isObject) << name;
-    for (GLuint i = 1; i < 2000; i++)
-      count += isObject(i);
-  }
-  return count;
-}
 
 std::string picturesFolder() {
   return testing::TempDir() + "seamless-pictures-" + std::to_string(::getpid());
@@ -390,21 +378,21 @@ TEST_F(SoTeSeamlessPatchesTest, NothingIsLeftInOpenGl) {
   TeNodePtr<SoSeparator> empty(new SoSeparator);
   empty->addChild(new SoPerspectiveCamera);
   show(empty.get());
-  const int before = objects(context());
+  const int before = glObjects(context());
   {
     const HillsPyramid pyramid(256);
     auto node = pyramid.node(65);
     auto scene = overview(node.get());
     TePicture first;
     settle(scene.get(), first);
-    const int drawn = objects(context());
+    const int drawn = glObjects(context());
     EXPECT_GT(drawn, before);
     // Other heights: what the old ones had goes.
     node->resolution = 128;
     TePicture second;
     settle(scene.get(), second);
     show(scene.get());
-    EXPECT_EQ(objects(context()), drawn);
+    EXPECT_EQ(glObjects(context()), drawn);
     // A second context, and its end.
     const std::int64_t live = TeSeamlessObjects::live();
     {
@@ -414,18 +402,18 @@ TEST_F(SoTeSeamlessPatchesTest, NothingIsLeftInOpenGl) {
       auto renderer = TeSceneRenderer::create(**other, 64, 64);
       ASSERT_TRUE(renderer);
       EXPECT_TRUE((*renderer)->render(scene.get()));
-      EXPECT_GT(objects(**other), 0);
+      EXPECT_GT(glObjects(**other), 0);
       EXPECT_GT(TeSeamlessObjects::live(), live);
       renderer->reset();
     }
     EXPECT_EQ(TeSeamlessObjects::live(), live);
     ASSERT_TRUE(context().makeCurrent());
-    EXPECT_EQ(objects(context()), drawn);
+    EXPECT_EQ(glObjects(context()), drawn);
     EXPECT_EQ(show(scene.get()), second);
   }
   // The node is gone; its objects go with the next frame in their context.
   show(empty.get());
-  EXPECT_EQ(objects(context()), before);
+  EXPECT_EQ(glObjects(context()), before);
 }
 
 TEST_F(SoTeSeamlessPatchesTest, NothingIsKeptForAContextThatEndsAfterTheNode) {

@@ -1,0 +1,5 @@
+#include "nodes/lod/TeLodTerrain.h"
+
+#include "nodes/TeNodes.h"
+
+void TeLodTerrain::initClass() { TeNodes::init(); }
