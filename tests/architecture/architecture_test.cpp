@@ -271,6 +271,9 @@ const std::map<std::string, std::string> kCoveredElsewhere = {
     {"nodes/context/TeContextKind.h", "tests/render/TeContext_test.cpp"},
     {"nodes/context/TeGlTable.h", "tests/render/TeContext_test.cpp"},
     {"nodes/context/modules/TeSoQtApplication.h", "tests/apps/terraneStaticPictures_test.cpp"},
+    {"nodes/lod/drawing/TeLodRays.h", "tests/nodes/lod/SoTeLodTerrain_test.cpp"},
+    {"nodes/lod/drawing/TeLodViewers.h", "tests/nodes/lod/SoTeLodTerrain_test.cpp"},
+    {"nodes/terrain/TeMeshGl.h", "tests/render/TeMeshBuffers_test.cpp"},
     {"patchdb/TeRayHit.h", "tests/patchdb/TePatchDatabase_test.cpp"},
     {"patchdb/TeTargetClones.h", "tests/patchdb/TeFourMapBlend_test.cpp"},
 };
