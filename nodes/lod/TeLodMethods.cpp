@@ -2,6 +2,7 @@
 
 #include "nodes/lod/brute/TeBruteForce.h"
 #include "nodes/lod/geomipmap/TeGeoMipMapping.h"
+#include "nodes/lod/quadtree/TeQuadtreeLod.h"
 #include "nodes/lod/roam/TeRoamLod.h"
 #include "nodes/lod/seamless/TeSeamlessLod.h"
 
@@ -21,6 +22,7 @@ const std::vector<Entry>& entries() {
       {"brute",
        [](TeLodFieldPtr field) -> Made { return {std::make_unique<TeBruteForce>(std::move(field))}; }},
       {"roam", [](TeLodFieldPtr field) -> Made { return {TeRoamLod::create(std::move(field))}; }},
+      {"quadtree", [](TeLodFieldPtr field) -> Made { return TeQuadtreeLod::create(std::move(field)); }},
       {"seamless", [](TeLodFieldPtr field) -> Made { return TeSeamlessLod::create(std::move(field)); }},
       {"geomipmap", [](TeLodFieldPtr field) -> Made { return TeGeoMipMapping::create(std::move(field)); }},
   };

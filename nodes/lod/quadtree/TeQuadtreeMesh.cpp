@@ -1,0 +1,479 @@
+#include "nodes/lod/quadtree/TeQuadtreeMesh.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+using Sides = TeQuadtreeSides;
+
+TeQuadtreeMesh::TeQuadtreeMesh(const TeQuadtree& tree, const TeLodField::Placement& placement)
+    : m_tree(&tree), m_placement(placement) {
+  clear();
+}
+
+void TeQuadtreeMesh::clear() {
+  m_vertices.assign(1, Vertex{});
+  m_squares.assign(1, Square{});
+  m_freeVertices.clear();
+  m_freeSquares.clear();
+  m_drawn.clear();
+  m_lastDrawn.clear();
+  m_frame = 0;
+  m_heightsVersion = m_tree->heightsVersion();
+  const TeQuadtreePlace place = m_tree->root();
+  for (int k = 0; k < 4; k++)
+    m_squares[0].corners[k] = makeVertex(Sides::isEast(k) ? place.side() : 0,
+                                         Sides::isNorth(k) ? place.side() : 0, place.corners[k]);
+  m_squares[0].vertices[kCentre] = makeVertex(place.half(), place.half(), m_tree->square(0).centre);
+  m_squares[0].sideLog = std::uint8_t(place.sideLog);
+}
+
+std::size_t TeQuadtreeMesh::bytes() const {
+  const auto of = [](const auto& vector) { return vector.capacity() * sizeof(vector[0]); };
+  return of(m_vertices) + of(m_squares) + of(m_freeVertices) + of(m_freeSquares) + of(m_tasks) + of(m_drawn) +
+         of(m_lastDrawn) + of(m_numbers);
+}
+
+const TeQuadtreeMesh::Result& TeQuadtreeMesh::update(const TeLodView& view, const Wish& wish) {
+  if (m_heightsVersion != m_tree->heightsVersion())
+    clear();
+  m_metric = TeQuadtreeMetric(view, m_placement, double(m_tree->side()));
+  m_wish = wish;
+  m_result = Result();
+  m_worst2 = m_worstOffset = 0;
+  const double wanted = wish.threshold > 0 ? view.focal / wish.threshold : wish.pixelError;
+  m_wanted2 = wanted * wanted * (wish.geomorph ? kMorphShare * kMorphShare : 1);
+  m_frame++;
+  std::swap(m_drawn, m_lastDrawn);
+  m_drawn.clear();
+
+  Square& root = m_squares[0];
+  root.mark = m_frame;
+  root.tested = 0;
+  root.planes = std::uint8_t(m_metric.cut(boxOf(root, 0), m_metric.allPlanes()));
+  for (const std::uint32_t corner : root.corners)
+    m_vertices[corner].mark = m_frame;
+  m_vertices[root.vertices[kCentre]].mark = m_frame;
+  m_tasks.assign(1, kCentre);
+  while (!m_tasks.empty()) {
+    const std::uint32_t number = m_tasks.back() >> 3;
+    const int what = int(m_tasks.back() & 7);
+    m_tasks.pop_back();
+    if (what == kCentre) {
+      for (int s = 0; s < 4; s++)
+        testEdge(number, s);
+      for (int k = 0; wish.threshold > 0 && k < 4; k++)
+        testChild(number, k);
+    } else if (!(wish.threshold > 0)) {
+      testChild(number, what);
+      testChild(number, Sides::previous(what));
+    }
+  }
+  settle(0);
+
+  const bool wasMorphed = m_morphed;
+  m_morphed = wish.geomorph;
+  m_result.errorBound = std::sqrt(m_worst2) + m_worstOffset;
+  m_result.changed = m_morphed || wasMorphed || m_result.enabled + m_result.disabled > 0 || m_frame == 1 ||
+                     m_drawn != m_lastDrawn;
+  return m_result;
+}
+
+TeQuadtreeBox TeQuadtreeMesh::boxOf(const Square& square, std::uint32_t number) const {
+  const TeQuadtreeSquare& data = m_tree->square(number);
+  const double x = square.x, y = square.y, side = double(1 << square.sideLog);
+  return {x, x + side, y, y + side, data.low(), data.high()};
+}
+
+TeQuadtreeBox TeQuadtreeMesh::boxOfChild(const Square& square, int k, std::uint32_t number) const {
+  const TeQuadtreeSquare& data = m_tree->square(number);
+  const double half = double(1 << square.sideLog) / 2;
+  const double x = square.x + (Sides::isEast(k) ? half : 0), y = square.y + (Sides::isNorth(k) ? half : 0);
+  return {x, x + half, y, y + half, data.low(), data.high()};
+}
+
+/// Of the two triangles at an edge.
+TeQuadtreeBox TeQuadtreeMesh::boxOfEdge(const Square& square, int s, std::uint32_t neighbour) const {
+  TeQuadtreeBox box = boxOf(square, square.data);
+  const double side = double(1 << square.sideLog), outward = neighbour != 0 ? side / 2 : 0;
+  switch (s) {
+  case Sides::kEast:
+    box.x0 += side / 2, box.x1 += outward;
+    break;
+  case Sides::kNorth:
+    box.y0 += side / 2, box.y1 += outward;
+    break;
+  case Sides::kWest:
+    box.x1 -= side / 2, box.x0 -= outward;
+    break;
+  default:
+    box.y1 -= side / 2, box.y0 -= outward;
+    break;
+  }
+  if (neighbour != 0) {
+    box.z0 = std::min(box.z0, m_tree->square(neighbour).low());
+    box.z1 = std::max(box.z1, m_tree->square(neighbour).high());
+  }
+  return box;
+}
+
+/// Of the two triangles at an edge. It is kept by the square to the west, or north, of it.
+double TeQuadtreeMesh::edgeError(const Square& square, int s, std::uint32_t neighbour) const {
+  const TeQuadtreeSquare& own = m_tree->square(square.data);
+  switch (s) {
+  case Sides::kEast:
+    return double(teUnpack(own.eastError));
+  case Sides::kSouth:
+    return double(teUnpack(own.southError));
+  case Sides::kNorth:
+    return neighbour != 0 ? double(teUnpack(m_tree->square(neighbour).southError))
+                          : m_tree->rimError(s, square.x + (1 << square.sideLog) / 2);
+  default:
+    return neighbour != 0 ? double(teUnpack(m_tree->square(neighbour).eastError))
+                          : m_tree->rimError(s, square.y + (1 << square.sideLog) / 2);
+  }
+}
+
+/// The data of the square on the other side, enabled or not; 0: there is none.
+std::uint32_t TeQuadtreeMesh::neighbourData(std::uint32_t number, int s) const {
+  const Square& square = m_squares[number];
+  const std::uint32_t neighbour = square.neighbours[s];
+  if (isMarked(neighbour))
+    return m_squares[neighbour].data;
+  if (number == 0)
+    return 0;
+  const Square& parent = m_squares[square.parent];
+  const int across = Sides::mirrored(square.quadrant, s);
+  if (!Sides::touches(square.quadrant, s))
+    return m_tree->child(parent.data, across);
+  // The middle of this edge of the parent is enabled, so the parent's neighbour is, too.
+  const std::uint32_t outside = parent.neighbours[s];
+  return outside != 0 ? m_tree->child(m_squares[outside].data, across) : 0;
+}
+
+bool TeQuadtreeMesh::inView(const Square& square, const TeQuadtreeBox& box) const {
+  return square.planes == 0 || m_metric.cut(box, m_metric.allPlanes()) != TeQuadtreeMetric::kOutside;
+}
+
+/// Whether triangles of a square that deviate by `error` are not good enough for where they are.
+bool TeQuadtreeMesh::isTooFar(const Square& square, double error, const TeQuadtreeBox& box) {
+  if (error == 0)
+    return false;
+  const double pixels2 = m_metric.pixels2(error, m_metric.distance2(box));
+  const bool tooFar = pixels2 > m_wanted2;
+  if ((!tooFar && pixels2 <= m_worst2) || !inView(square, box))
+    return false;
+  if (!tooFar)
+    m_worst2 = pixels2;
+  return tooFar;
+}
+
+void TeQuadtreeMesh::testEdge(std::uint32_t number, int s) {
+  const Square& square = m_squares[number];
+  if (square.planes == TeQuadtreeMetric::kOutside || isEnabled(square.vertices[s]) ||
+      !m_tree->square(square.data).hasSide(s))
+    return;
+  // A square tests its east and south edges; the others only where no square does.
+  const bool isOwn = s == Sides::kEast || s == Sides::kSouth;
+  const std::uint32_t beyond = square.neighbours[s];
+  if (!isOwn && isMarked(beyond) && m_squares[beyond].planes != TeQuadtreeMetric::kOutside)
+    return;
+  const std::uint32_t neighbour = neighbourData(number, s);
+  const TeQuadtreeBox box = boxOfEdge(square, s, neighbour);
+  bool enables = false;
+  if (m_wish.threshold > 0) {
+    const Vertex& a = m_vertices[square.corners[Sides::previous(s)]];
+    const Vertex& b = m_vertices[square.corners[s]];
+    const double height = double(m_tree->square(square.data).edge[s]);
+    const double error = std::fabs(height - (double(a.height) + double(b.height)) / 2);
+    const double x = (double(a.column) + b.column) / 2, y = (double(a.row) + b.row) / 2;
+    enables =
+        error * m_metric.heightScale() * m_wish.threshold > m_metric.maxNorm({x, x, y, y, height, height}) &&
+        inView(square, box);
+  } else {
+    enables = isTooFar(square, edgeError(square, s, neighbour), box);
+  }
+  if (enables)
+    enableEdge(number, s);
+}
+
+void TeQuadtreeMesh::testChild(std::uint32_t number, int k) {
+  Square& square = m_squares[number];
+  if (square.planes == TeQuadtreeMetric::kOutside || (square.tested >> k & 1) != 0)
+    return;
+  square.tested = std::uint8_t(square.tested | 1 << k);
+  const std::uint32_t data = m_tree->child(square.data, k);
+  if (data == 0 || isMarked(square.children[k]))
+    return;
+  const TeQuadtreeBox box = boxOfChild(square, k, data);
+  const bool enables =
+      m_wish.threshold > 0
+          ? double(teUnpack(m_tree->square(data).largestError)) * m_metric.heightScale() * m_wish.threshold >
+                    m_metric.maxNorm(box) &&
+                inView(square, box)
+          : isTooFar(square, double(teUnpack(m_tree->square(data).centreError)), box);
+  if (enables)
+    enableSquare(number, k);
+}
+
+std::uint32_t TeQuadtreeMesh::enableSquare(std::uint32_t parent, int k) {
+  std::uint32_t number = m_squares[parent].children[k];
+  if (isMarked(number))
+    return number;
+  enableEdge(parent, k);
+  enableEdge(parent, Sides::next(k));
+  if (number == 0)
+    number = makeSquare(parent, k);
+  const unsigned planes = m_squares[parent].planes;
+  Square& square = m_squares[number];
+  square.mark = m_frame;
+  square.data = m_tree->child(m_squares[parent].data, k); // it may have been dropped and made again
+  assert(square.data != 0);
+  square.tested = 0;
+  m_vertices[square.vertices[kCentre]].mark = m_frame;
+  const bool isCut = planes != 0 && planes != TeQuadtreeMetric::kOutside;
+  square.planes = std::uint8_t(isCut ? m_metric.cut(boxOf(square, square.data), planes) : planes);
+  m_tasks.push_back(number << 3 | kCentre);
+  return number;
+}
+
+void TeQuadtreeMesh::enableEdge(std::uint32_t number, int s) {
+  std::uint32_t vertex = m_squares[number].vertices[s];
+  if (isEnabled(vertex))
+    return;
+  std::uint32_t neighbour = 0;
+  if (number != 0) {
+    const std::uint32_t parent = m_squares[number].parent;
+    const int quadrant = m_squares[number].quadrant;
+    const bool inside = !Sides::touches(quadrant, s);
+    const std::uint32_t outside = inside ? parent : m_squares[parent].neighbours[s];
+    if (inside || outside != 0)
+      neighbour = enableSquare(outside, Sides::mirrored(quadrant, s));
+  }
+  if (vertex == 0) {
+    const Square& square = m_squares[number];
+    const std::int32_t half = (1 << square.sideLog) / 2;
+    vertex = makeVertex(square.x + half * (1 + Sides::kX[s]), square.y + half * (1 + Sides::kY[s]),
+                        m_tree->square(square.data).edge[s]);
+    m_squares[number].vertices[s] = vertex;
+    if (neighbour != 0)
+      m_squares[neighbour].vertices[Sides::opposite(s)] = vertex;
+  }
+  m_vertices[vertex].mark = m_frame;
+  m_tasks.push_back(number << 3 | std::uint32_t(s));
+  if (neighbour != 0)
+    m_tasks.push_back(neighbour << 3 | std::uint32_t(Sides::opposite(s)));
+}
+
+std::uint32_t TeQuadtreeMesh::makeVertex(std::int32_t column, std::int32_t row, float height) {
+  std::uint32_t number = std::uint32_t(m_vertices.size());
+  if (m_freeVertices.empty()) {
+    m_vertices.emplace_back();
+  } else {
+    number = m_freeVertices.back();
+    m_freeVertices.pop_back();
+  }
+  m_vertices[number] = {column, row, height, height, 0, 0};
+  m_result.enabled++;
+  return number;
+}
+
+std::uint32_t TeQuadtreeMesh::makeSquare(std::uint32_t parentNumber, int k) {
+  std::uint32_t number = std::uint32_t(m_squares.size());
+  if (m_freeSquares.empty()) {
+    m_squares.emplace_back();
+  } else {
+    number = m_freeSquares.back();
+    m_freeSquares.pop_back();
+  }
+  Square& parent = m_squares[parentNumber];
+  Square& square = m_squares[number];
+  square = Square{};
+  square.parent = parentNumber;
+  square.quadrant = std::uint8_t(k);
+  square.sideLog = std::uint8_t(parent.sideLog - 1);
+  const std::int32_t side = 1 << square.sideLog;
+  square.x = parent.x + (Sides::isEast(k) ? side : 0);
+  square.y = parent.y + (Sides::isNorth(k) ? side : 0);
+  square.corners[k] = parent.corners[k];
+  square.corners[Sides::next(k)] = parent.vertices[Sides::next(k)];
+  square.corners[Sides::opposite(k)] = parent.vertices[kCentre];
+  square.corners[Sides::previous(k)] = parent.vertices[k];
+  m_vertices[parent.vertices[k]].users++;
+  m_vertices[parent.vertices[Sides::next(k)]].users++;
+  parent.children[k] = number;
+  for (int s = 0; s < 4; s++) {
+    const int across = Sides::mirrored(k, s);
+    const std::uint32_t outside = parent.neighbours[s];
+    const std::uint32_t neighbour = !Sides::touches(k, s) ? parent.children[across]
+                                    : outside != 0        ? m_squares[outside].children[across]
+                                                          : 0;
+    square.neighbours[s] = neighbour;
+    if (neighbour != 0)
+      m_squares[neighbour].neighbours[Sides::opposite(s)] = number;
+  }
+  const float height = m_tree->square(m_tree->child(parent.data, k)).centre;
+  const std::uint32_t centre = makeVertex(square.x + side / 2, square.y + side / 2, height);
+  m_squares[number].vertices[kCentre] = centre;
+  return number;
+}
+
+/// What was not enabled in this frame goes; what was is drawn, parents first.
+void TeQuadtreeMesh::settle(std::uint32_t number) {
+  for (int k = 0; k < 4; k++) {
+    const std::uint32_t child = m_squares[number].children[k];
+    if (child != 0 && m_squares[child].mark != m_frame)
+      removeSquare(child);
+  }
+  for (int s = 0; s < 4; s++)
+    removeEdge(number, s);
+  m_result.visited++;
+  if (m_squares[number].planes == TeQuadtreeMetric::kOutside)
+    m_result.culled++;
+  else
+    draw(number);
+  for (const std::uint32_t child : m_squares[number].children)
+    if (child != 0)
+      settle(child);
+}
+
+void TeQuadtreeMesh::removeSquare(std::uint32_t number) {
+  for (const std::uint32_t child : m_squares[number].children)
+    if (child != 0)
+      removeSquare(child);
+  for (int s = 0; s < 4; s++)
+    removeEdge(number, s);
+  Square& square = m_squares[number];
+  Square& parent = m_squares[square.parent];
+  for (int s = 0; s < 4; s++)
+    if (square.neighbours[s] != 0)
+      m_squares[square.neighbours[s]].neighbours[Sides::opposite(s)] = 0;
+  m_vertices[parent.vertices[square.quadrant]].users--;
+  m_vertices[parent.vertices[Sides::next(square.quadrant)]].users--;
+  parent.children[square.quadrant] = 0;
+  m_freeVertices.push_back(square.vertices[kCentre]);
+  m_result.disabled++;
+  m_freeSquares.push_back(number);
+}
+
+/// Disables the middle of an edge that was not enabled in this frame. While squares on the other side use it
+/// still, it waits until they are gone.
+void TeQuadtreeMesh::removeEdge(std::uint32_t number, int s) {
+  Square& square = m_squares[number];
+  const std::uint32_t vertex = square.vertices[s];
+  if (vertex == 0 || m_vertices[vertex].mark == m_frame || m_vertices[vertex].users != 0)
+    return;
+  square.vertices[s] = 0;
+  if (square.neighbours[s] != 0)
+    m_squares[square.neighbours[s]].vertices[Sides::opposite(s)] = 0;
+  m_freeVertices.push_back(vertex);
+  m_result.disabled++;
+}
+
+void TeQuadtreeMesh::draw(std::uint32_t number) {
+  const Square& square = m_squares[number];
+  std::uint32_t enabled = 0;
+  for (int i = 0; i < 4; i++) {
+    enabled |= std::uint32_t(isEnabled(square.vertices[i])) << i;
+    enabled |= std::uint32_t(square.children[i] != 0) << (4 + i);
+  }
+  m_drawn.push_back({number, enabled});
+  // A side is one triangle, or two of which children cover some.
+  m_result.triangles += 4 + __builtin_popcount(enabled & 15) - 2 * __builtin_popcount(enabled >> 4 & 15);
+  if (m_wish.threshold > 0)
+    boundDrawn(number, enabled);
+  if (m_wish.geomorph)
+    morphSquare(number);
+}
+
+/// With the document's tests: what the triangles of a square are worth.
+void TeQuadtreeMesh::boundDrawn(std::uint32_t number, std::uint32_t enabled) {
+  const Square& square = m_squares[number];
+  const auto look = [&](double error, const TeQuadtreeBox& box) {
+    const double pixels2 = m_metric.pixels2(error, m_metric.distance2(box));
+    if (pixels2 > m_worst2 && inView(square, box))
+      m_worst2 = pixels2;
+  };
+  for (int i = 0; i < 4; i++) {
+    if ((enabled >> i & 1) == 0 && m_tree->square(square.data).hasSide(i)) {
+      const std::uint32_t neighbour = neighbourData(number, i);
+      look(edgeError(square, i, neighbour), boxOfEdge(square, i, neighbour));
+    }
+    const std::uint32_t child = m_tree->child(square.data, i);
+    const bool isThere = ((enabled >> i | enabled >> Sides::next(i)) & 1) != 0; // a triangle to bisect
+    if ((enabled >> (4 + i) & 1) == 0 && child != 0 && isThere)
+      look(double(teUnpack(m_tree->square(child).centreError)), boxOfChild(square, i, child));
+  }
+}
+
+/// Its centre and the middles of its edges; corners are those of larger squares, which were before it.
+void TeQuadtreeMesh::morphSquare(std::uint32_t number) {
+  const Square& square = m_squares[number];
+  const auto drawn = [&](int corner) { return m_vertices[square.corners[corner]].drawn; };
+  if (number != 0) {
+    const double error = double(teUnpack(m_tree->square(square.data).centreError));
+    morphVertex(m_vertices[square.vertices[kCentre]], drawn(square.quadrant),
+                drawn(Sides::opposite(square.quadrant)), error, boxOf(square, square.data));
+  }
+  for (int s = 0; s < 4; s++) {
+    if (!isEnabled(square.vertices[s]))
+      continue;
+    const std::uint32_t neighbour = neighbourData(number, s);
+    morphVertex(m_vertices[square.vertices[s]], drawn(Sides::previous(s)), drawn(s),
+                edgeError(square, s, neighbour), boxOfEdge(square, s, neighbour));
+  }
+}
+
+/// `box` holds all triangles at the vertex, so that what it is off by counts at that distance.
+void TeQuadtreeMesh::morphVertex(Vertex& vertex, float a, float b, double error, const TeQuadtreeBox& box) {
+  const double distance2 = m_metric.distance2(box), height = double(vertex.height);
+  const double ratio = std::sqrt(m_metric.pixels2(error, distance2) / m_wanted2);
+  const double weight = ratio > 1 ? std::min((ratio - 1) / kMorphBand, 1.0) : 0; // NaN: nothing is wanted
+  const double middle = (double(a) + double(b)) / 2;
+  const double allowed = std::sqrt(m_wanted2) * (1 / kMorphShare - 1);
+  const double pixels = m_metric.focal() > 0 ? m_metric.focal() : 1;
+  const double most = allowed * std::sqrt(distance2) / pixels;
+  const double offset = std::clamp((1 - weight) * (middle - height), -most, most);
+  vertex.drawn = float(height + offset);
+  if (std::fabs(double(vertex.drawn) - height) > most)
+    vertex.drawn = vertex.height; // by rounding
+  const double drawnOffset = double(vertex.drawn) - height;
+  m_worstOffset = std::max(m_worstOffset, std::sqrt(m_metric.pixels2(drawnOffset, distance2)));
+}
+
+void TeQuadtreeMesh::append(TeLodMesh& mesh) const {
+  constexpr std::uint32_t kNone = 0xFFFFFFFF;
+  m_numbers.assign(m_vertices.size(), kNone);
+  const auto numberOf = [&](std::uint32_t vertex) {
+    std::uint32_t& number = m_numbers[vertex];
+    if (number == kNone) {
+      const Vertex& v = m_vertices[vertex];
+      number = std::uint32_t(mesh.vertices.size());
+      mesh.vertices.push_back({v.column, v.row, m_morphed ? v.drawn : v.height});
+    }
+    return number;
+  };
+  mesh.indices.reserve(mesh.indices.size() + 3 * std::size_t(m_result.triangles));
+  for (const Drawn& drawn : m_drawn) {
+    const Square& square = m_squares[drawn.square];
+    const std::uint32_t children = drawn.enabled >> 4;
+    if (children == 15)
+      continue;
+    const std::uint32_t centre = numberOf(square.vertices[kCentre]);
+    for (int s = 0; s < 4; s++) {
+      const bool isSplit = (drawn.enabled >> s & 1) != 0;
+      const bool firstCovered = (children >> Sides::previous(s) & 1) != 0,
+                 lastCovered = (children >> s & 1) != 0;
+      if (firstCovered && lastCovered)
+        continue;
+      const std::uint32_t middle = isSplit ? numberOf(square.vertices[s]) : 0;
+      if (!firstCovered) {
+        const std::uint32_t first = numberOf(square.corners[Sides::previous(s)]);
+        mesh.indices.insert(mesh.indices.end(),
+                            {centre, first, isSplit ? middle : numberOf(square.corners[s])});
+      }
+      if (isSplit && !lastCovered)
+        mesh.indices.insert(mesh.indices.end(), {centre, middle, numberOf(square.corners[s])});
+    }
+  }
+}
