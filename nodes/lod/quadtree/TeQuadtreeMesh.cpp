@@ -49,11 +49,8 @@ const TeQuadtreeMesh::Result& TeQuadtreeMesh::update(const TeLodView& view, cons
 
   Square& root = m_squares[0];
   root.mark = m_frame;
-  root.tested = 0;
+  root.tested = root.edges = 0;
   root.planes = std::uint8_t(m_metric.cut(boxOf(root, 0), m_metric.allPlanes()));
-  for (const std::uint32_t corner : root.corners)
-    m_vertices[corner].mark = m_frame;
-  m_vertices[root.vertices[kCentre]].mark = m_frame;
   m_tasks.assign(1, kCentre);
   while (!m_tasks.empty()) {
     const std::uint32_t number = m_tasks.back() >> 3;
@@ -170,7 +167,7 @@ bool TeQuadtreeMesh::isTooFar(const Square& square, double error, const TeQuadtr
 
 void TeQuadtreeMesh::testEdge(std::uint32_t number, int s) {
   const Square& square = m_squares[number];
-  if (square.planes == TeQuadtreeMetric::kOutside || isEnabled(square.vertices[s]) ||
+  if (square.planes == TeQuadtreeMetric::kOutside || (square.edges >> s & 1) != 0 ||
       !m_tree->square(square.data).hasSide(s))
     return;
   // A square tests its east and south edges; the others only where no square does.
@@ -229,8 +226,7 @@ std::uint32_t TeQuadtreeMesh::enableSquare(std::uint32_t parent, int k) {
   square.mark = m_frame;
   square.data = m_tree->child(m_squares[parent].data, k); // it may have been dropped and made again
   assert(square.data != 0);
-  square.tested = 0;
-  m_vertices[square.vertices[kCentre]].mark = m_frame;
+  square.tested = square.edges = 0;
   const bool isCut = planes != 0 && planes != TeQuadtreeMetric::kOutside;
   square.planes = std::uint8_t(isCut ? m_metric.cut(boxOf(square, square.data), planes) : planes);
   m_tasks.push_back(number << 3 | kCentre);
@@ -238,8 +234,7 @@ std::uint32_t TeQuadtreeMesh::enableSquare(std::uint32_t parent, int k) {
 }
 
 void TeQuadtreeMesh::enableEdge(std::uint32_t number, int s) {
-  std::uint32_t vertex = m_squares[number].vertices[s];
-  if (isEnabled(vertex))
+  if ((m_squares[number].edges >> s & 1) != 0)
     return;
   std::uint32_t neighbour = 0;
   if (number != 0) {
@@ -250,19 +245,22 @@ void TeQuadtreeMesh::enableEdge(std::uint32_t number, int s) {
     if (inside || outside != 0)
       neighbour = enableSquare(outside, Sides::mirrored(quadrant, s));
   }
-  if (vertex == 0) {
-    const Square& square = m_squares[number];
+  Square& square = m_squares[number];
+  const int opposite = Sides::opposite(s);
+  if (square.vertices[s] == 0) {
     const std::int32_t half = (1 << square.sideLog) / 2;
-    vertex = makeVertex(square.x + half * (1 + Sides::kX[s]), square.y + half * (1 + Sides::kY[s]),
-                        m_tree->square(square.data).edge[s]);
-    m_squares[number].vertices[s] = vertex;
+    square.vertices[s] =
+        makeVertex(square.x + half * (1 + Sides::kX[s]), square.y + half * (1 + Sides::kY[s]),
+                   m_tree->square(square.data).edge[s]);
     if (neighbour != 0)
-      m_squares[neighbour].vertices[Sides::opposite(s)] = vertex;
+      m_squares[neighbour].vertices[opposite] = square.vertices[s];
   }
-  m_vertices[vertex].mark = m_frame;
+  square.edges = std::uint8_t(square.edges | 1 << s);
   m_tasks.push_back(number << 3 | std::uint32_t(s));
-  if (neighbour != 0)
-    m_tasks.push_back(neighbour << 3 | std::uint32_t(Sides::opposite(s)));
+  if (neighbour != 0) {
+    m_squares[neighbour].edges = std::uint8_t(m_squares[neighbour].edges | 1 << opposite);
+    m_tasks.push_back(neighbour << 3 | std::uint32_t(opposite));
+  }
 }
 
 std::uint32_t TeQuadtreeMesh::makeVertex(std::int32_t column, std::int32_t row, float height) {
@@ -273,7 +271,7 @@ std::uint32_t TeQuadtreeMesh::makeVertex(std::int32_t column, std::int32_t row, 
     number = m_freeVertices.back();
     m_freeVertices.pop_back();
   }
-  m_vertices[number] = {column, row, height, height, 0, 0};
+  m_vertices[number] = {column, row, height, height, 0};
   m_result.enabled++;
   return number;
 }
@@ -326,7 +324,8 @@ void TeQuadtreeMesh::settle(std::uint32_t number) {
       removeSquare(child);
   }
   for (int s = 0; s < 4; s++)
-    removeEdge(number, s);
+    if ((m_squares[number].edges >> s & 1) == 0)
+      removeEdge(number, s);
   m_result.visited++;
   if (m_squares[number].planes == TeQuadtreeMetric::kOutside)
     m_result.culled++;
@@ -361,7 +360,7 @@ void TeQuadtreeMesh::removeSquare(std::uint32_t number) {
 void TeQuadtreeMesh::removeEdge(std::uint32_t number, int s) {
   Square& square = m_squares[number];
   const std::uint32_t vertex = square.vertices[s];
-  if (vertex == 0 || m_vertices[vertex].mark == m_frame || m_vertices[vertex].users != 0)
+  if (vertex == 0 || m_vertices[vertex].users != 0)
     return;
   square.vertices[s] = 0;
   if (square.neighbours[s] != 0)
@@ -372,11 +371,9 @@ void TeQuadtreeMesh::removeEdge(std::uint32_t number, int s) {
 
 void TeQuadtreeMesh::draw(std::uint32_t number) {
   const Square& square = m_squares[number];
-  std::uint32_t enabled = 0;
-  for (int i = 0; i < 4; i++) {
-    enabled |= std::uint32_t(isEnabled(square.vertices[i])) << i;
-    enabled |= std::uint32_t(square.children[i] != 0) << (4 + i);
-  }
+  std::uint32_t enabled = square.edges;
+  for (int k = 0; k < 4; k++)
+    enabled |= std::uint32_t(square.children[k] != 0) << (4 + k);
   m_drawn.push_back({number, enabled});
   // A side is one triangle, or two of which children cover some.
   m_result.triangles += 4 + __builtin_popcount(enabled & 15) - 2 * __builtin_popcount(enabled >> 4 & 15);
@@ -416,7 +413,7 @@ void TeQuadtreeMesh::morphSquare(std::uint32_t number) {
                 drawn(Sides::opposite(square.quadrant)), error, boxOf(square, square.data));
   }
   for (int s = 0; s < 4; s++) {
-    if (!isEnabled(square.vertices[s]))
+    if ((square.edges >> s & 1) == 0)
       continue;
     const std::uint32_t neighbour = neighbourData(number, s);
     morphVertex(m_vertices[square.vertices[s]], drawn(Sides::previous(s)), drawn(s),

@@ -25,7 +25,7 @@
 ///
 /// One thread at a time; the data tree must outlive this, and may change between updates.
 /// Cost of an update: in proportion to the displayed mesh, whatever the size of the data. No allocation once
-/// it has been as large before. Memory: 124 bytes a square and 24 bytes a vertex, of the displayed mesh.
+/// it has been as large before. Memory: 140 bytes a square and 24 bytes a vertex, of the displayed mesh.
 class TeQuadtreeMesh {
 public:
   struct Wish {
@@ -66,21 +66,23 @@ private:
     std::int32_t column, row;
     float height;
     float drawn;         ///< between the middle of the edge that it splits, and height
-    std::uint32_t mark;  ///< frame in which it was last enabled
     std::uint32_t users; ///< squares that have it for a corner
   };
-  struct Square {
+  /// An update looks at the first cache line of most squares only.
+  struct alignas(64) Square {
+    std::uint32_t mark; ///< frame in which it was last enabled
     std::uint32_t data;
-    std::uint32_t parent;
-    std::uint32_t children[4]; ///< enabled ones; 0: none
+    std::uint32_t children[4]; ///< 0: none
     std::uint32_t neighbours[4];
-    std::uint32_t corners[4];  ///< vertices
-    std::uint32_t vertices[5]; ///< middles of the edges, 0: not enabled; centre
+    std::uint32_t parent;
     std::int32_t x, y;
-    std::uint32_t mark;
     std::uint8_t sideLog, quadrant;
     std::uint8_t planes; ///< that cut it, or kOutside
     std::uint8_t tested; ///< children that were, in this frame
+    std::uint8_t edges;  ///< whose middles are enabled, in this frame
+
+    std::uint32_t corners[4];  ///< vertices
+    std::uint32_t vertices[5]; ///< middles of the edges, 0: none; centre
   };
   struct Drawn {
     std::uint32_t square;
@@ -91,7 +93,6 @@ private:
   };
 
   bool isMarked(std::uint32_t square) const { return square != 0 && m_squares[square].mark == m_frame; }
-  bool isEnabled(std::uint32_t vertex) const { return vertex != 0 && m_vertices[vertex].mark == m_frame; }
   std::uint32_t neighbourData(std::uint32_t number, int side) const;
   TeQuadtreeBox boxOf(const Square& square, std::uint32_t data) const;
   TeQuadtreeBox boxOfChild(const Square& square, int k, std::uint32_t data) const;

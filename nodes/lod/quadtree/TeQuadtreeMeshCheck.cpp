@@ -25,12 +25,14 @@ std::string TeQuadtreeMesh::inconsistency() const {
       const std::uint32_t vertex = square.vertices[i];
       if (vertex == 0)
         continue;
-      if (m_vertices[vertex].mark != m_frame)
-        return wrong("a vertex is left from before");
       vertices += !isUsed[vertex];
       isUsed[vertex] = true;
     }
+    if (square.mark != m_frame)
+      return wrong("it is left from before");
     for (int s = 0; s < 4; s++) {
+      if ((square.vertices[s] != 0) != ((square.edges >> s & 1) != 0))
+        return wrong("the middle of an edge is left from before");
       const std::uint32_t neighbour = square.neighbours[s];
       if (neighbour != 0 && m_squares[neighbour].neighbours[Sides::opposite(s)] != number)
         return wrong("a neighbour does not know it");
