@@ -50,6 +50,7 @@ TeStatus TeQuadtree::insert(const TeHeightMap& map, std::int32_t column, std::in
     fits = insertLevel(root(), sideLog, insertion);
   deriveAgain(root(), 0);
   forgetGiven();
+  m_squares.shrink_to_fit();
   refreshErrors();
   if (!fits)
     return TeError{teFormat("a quadtree has no more than %u squares", 4 * TeQuadtreeSquare::kMaxBlock + 1)};

@@ -271,7 +271,7 @@ std::uint32_t TeQuadtreeMesh::makeVertex(std::int32_t column, std::int32_t row, 
     number = m_freeVertices.back();
     m_freeVertices.pop_back();
   }
-  m_vertices[number] = {column, row, height, height, 0};
+  m_vertices[number] = {column, row, height, 0, height, 1, 0};
   m_result.enabled++;
   return number;
 }
@@ -401,41 +401,6 @@ void TeQuadtreeMesh::boundDrawn(std::uint32_t number, std::uint32_t enabled) {
     if ((enabled >> (4 + i) & 1) == 0 && child != 0 && isThere)
       look(double(teUnpack(m_tree->square(child).centreError)), boxOfChild(square, i, child));
   }
-}
-
-/// Its centre and the middles of its edges; corners are those of larger squares, which were before it.
-void TeQuadtreeMesh::morphSquare(std::uint32_t number) {
-  const Square& square = m_squares[number];
-  const auto drawn = [&](int corner) { return m_vertices[square.corners[corner]].drawn; };
-  if (number != 0) {
-    const double error = double(teUnpack(m_tree->square(square.data).centreError));
-    morphVertex(m_vertices[square.vertices[kCentre]], drawn(square.quadrant),
-                drawn(Sides::opposite(square.quadrant)), error, boxOf(square, square.data));
-  }
-  for (int s = 0; s < 4; s++) {
-    if ((square.edges >> s & 1) == 0)
-      continue;
-    const std::uint32_t neighbour = neighbourData(number, s);
-    morphVertex(m_vertices[square.vertices[s]], drawn(Sides::previous(s)), drawn(s),
-                edgeError(square, s, neighbour), boxOfEdge(square, s, neighbour));
-  }
-}
-
-/// `box` holds all triangles at the vertex, so that what it is off by counts at that distance.
-void TeQuadtreeMesh::morphVertex(Vertex& vertex, float a, float b, double error, const TeQuadtreeBox& box) {
-  const double distance2 = m_metric.distance2(box), height = double(vertex.height);
-  const double ratio = std::sqrt(m_metric.pixels2(error, distance2) / m_wanted2);
-  const double weight = ratio > 1 ? std::min((ratio - 1) / kMorphBand, 1.0) : 0; // NaN: nothing is wanted
-  const double middle = (double(a) + double(b)) / 2;
-  const double allowed = std::sqrt(m_wanted2) * (1 / kMorphShare - 1);
-  const double pixels = m_metric.focal() > 0 ? m_metric.focal() : 1;
-  const double most = allowed * std::sqrt(distance2) / pixels;
-  const double offset = std::clamp((1 - weight) * (middle - height), -most, most);
-  vertex.drawn = float(height + offset);
-  if (std::fabs(double(vertex.drawn) - height) > most)
-    vertex.drawn = vertex.height; // by rounding
-  const double drawnOffset = double(vertex.drawn) - height;
-  m_worstOffset = std::max(m_worstOffset, std::sqrt(m_metric.pixels2(drawnOffset, distance2)));
 }
 
 void TeQuadtreeMesh::append(TeLodMesh& mesh) const {

@@ -25,7 +25,7 @@
 ///
 /// One thread at a time; the data tree must outlive this, and may change between updates.
 /// Cost of an update: in proportion to the displayed mesh, whatever the size of the data. No allocation once
-/// it has been as large before. Memory: 140 bytes a square and 24 bytes a vertex, of the displayed mesh.
+/// it has been as large before. Memory: 140 bytes a square and 28 bytes a vertex, of the displayed mesh.
 class TeQuadtreeMesh {
 public:
   struct Wish {
@@ -58,15 +58,17 @@ public:
 
 private:
   /// Share of pixelError that triangles may take while vertices are off by the rest, in motion.
-  static constexpr double kMorphShare = 2.0 / 3;
+  static constexpr double kMorphShare = 0.5;
   static constexpr double kMorphBand = 0.25; ///< a vertex has arrived at 1.25 times the error that enables it
   static constexpr int kCentre = 4;
 
   struct Vertex {
     std::int32_t column, row;
     float height;
-    float drawn;         ///< between the middle of the edge that it splits, and height
     std::uint32_t users; ///< squares that have it for a corner
+    float drawn;         ///< with geomorphing: between the middle of the edge that it splits, and height
+    float weight;        ///< how far toward height
+    std::uint32_t mark;  ///< frame of `weight`
   };
   /// An update looks at the first cache line of most squares only.
   struct alignas(64) Square {
@@ -112,8 +114,11 @@ private:
   void removeEdge(std::uint32_t number, int side);
   void draw(std::uint32_t number);
   void boundDrawn(std::uint32_t number, std::uint32_t enabled);
+  float ownWeight(double error, const TeQuadtreeBox& box) const;
+  float centreWeight(std::uint32_t number);
+  float edgeWeight(std::uint32_t number, int side);
   void morphSquare(std::uint32_t number);
-  void morphVertex(Vertex& vertex, float a, float b, double error, const TeQuadtreeBox& box);
+  void morphVertex(Vertex& vertex, float a, float b, const TeQuadtreeBox& box);
 
   const TeQuadtree* m_tree;
   TeLodField::Placement m_placement;

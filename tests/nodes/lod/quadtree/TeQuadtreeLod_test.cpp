@@ -115,8 +115,9 @@ TEST(TeQuadtreeLod, ErrorBoundHolds) {
       ASSERT_EQ(report.uncovered, 0);
       ASSERT_EQ(report.overlaps, 0);
       ASSERT_LE(report.worst, bound * kRounding + 1e-6);
-      if (!(accuracy.dial > 0))
+      if (!(accuracy.dial > 0)) {
         ASSERT_LE(bound, accuracy.pixelError * kRounding);
+      }
       if (report.samples > 0 && bound > 0 && std::isfinite(bound)) {
         closest = std::max(closest, report.worst / bound);
         ratios += report.worst / bound;

@@ -117,8 +117,9 @@ TEST(TeQuadtreeMesh, ThresholdIsTheDocuments) {
         const double error = std::fabs(height - (double(a) + double(b)) / 2);
         const double distance =
             std::max({std::fabs(column - eye.x), std::fabs(row - eye.y), std::fabs(height - eye.z)});
-        if (error * threshold > distance)
+        if (error * threshold > distance) {
           ASSERT_TRUE(isVertex[std::size_t(row * (kCells + 1) + column)]) << column << ", " << row;
+        }
       }
   }
 }
