@@ -38,7 +38,9 @@ TeRoamLod::TeRoamLod(std::shared_ptr<const TeRoamBounds> bounds, TeLodFieldPtr s
 double TeRoamLod::bytesPerSample() const {
   const double samples = double(field().cells() + 1) * double(field().cells() + 1);
   return sizeof(float) +
-         double(m_bounds->bytes() + m_mesh.bytes() + m_indices.capacity() * sizeof(std::uint32_t)) / samples;
+         double(m_bounds->bytes() + m_mesh.bytes() +
+                (m_indices.capacity() + m_leaves.capacity()) * sizeof(std::uint32_t) + m_marks.capacity()) /
+             samples;
 }
 
 bool TeRoamLod::continues(const TeLodView& view, const TeLodAccuracy& accuracy) const {
@@ -127,45 +129,47 @@ TeRoamLod::Step TeRoamLod::next(const Goal& goal) const {
   return Step::Done;
 }
 
+// No branch depends on a triangle, which could not be foretold: leaves in view are listed, their vertices
+// marked and numbered, and four triangles written for each, of which the next leaf overwrites those that it
+// has not.
 void TeRoamLod::appendPart(std::size_t, TeLodMesh& mesh) const {
+  constexpr std::size_t kMostIndices = 12;
   const TeRoamNodes& nodes = m_mesh.nodes();
   const std::vector<TeLodVertex>& vertices = nodes.vertices();
-  m_indices.assign(vertices.size(), 0);
-  const std::size_t firstVertex = mesh.vertices.size();
-  mesh.vertices.resize(firstVertex + vertices.size());
-  TeLodVertex* const begin = mesh.vertices.data();
-  std::uint32_t count = std::uint32_t(firstVertex);
-  const std::size_t firstIndex = mesh.indices.size();
-  mesh.indices.resize(firstIndex + 3 * std::size_t(m_mesh.drawn()));
-  std::uint32_t* index = mesh.indices.data() + firstIndex;
+  m_leaves.resize(nodes.size());
+  std::size_t leaves = 0;
+  for (std::size_t node = 0; node < nodes.size(); node++) {
+    m_leaves[leaves] = std::int32_t(node);
+    leaves += m_mesh.isShown(std::int32_t(node)) ? 1 : 0;
+  }
 
-  const auto indexOf = [&](std::int32_t vertex) {
-    std::uint32_t& known = m_indices[std::size_t(vertex)];
-    if (known == 0) {
-      begin[count] = vertices[std::size_t(vertex)];
-      known = ++count;
-    }
-    return known - 1;
-  };
-  for (std::int32_t number = 0; number < std::int32_t(nodes.size()); number++) {
-    if (m_mesh.fan(number) == 0 || !m_mesh.isSeen(number))
-      continue;
-    const TeRoamNode& node = nodes[number];
-    std::uint32_t points[6];
-    for (int k = 0; k < 3; k++)
-      points[k] = indexOf(node.vertices[k]);
-    if (node.edgePoints == 0) {
-      for (int k = 0; k < 3; k++)
-        *index++ = points[k];
-      continue;
-    }
-    for (int k = 0; k < 3; k++)
-      if (node.edgePoints >> k & 1)
-        points[3 + k] = indexOf(nodes.edgePoint(number, k));
-    const TeRoamFan& fan = TeRoamFan::all()[node.edgePoints];
-    for (int i = 0; i < fan.count; i++)
-      for (const std::uint8_t point : fan.triangles[std::size_t(i)])
-        *index++ = points[point];
+  m_marks.assign(vertices.size(), 0);
+  for (std::size_t i = 0; i < leaves; i++)
+    for (const std::int32_t vertex : nodes.points(m_leaves[i]).vertices)
+      m_marks[std::size_t(vertex)] = 1;
+  m_indices.resize(vertices.size());
+  std::size_t count = mesh.vertices.size();
+  mesh.vertices.resize(count + vertices.size());
+  for (std::size_t vertex = 0; vertex < vertices.size(); vertex++) {
+    mesh.vertices[count] = vertices[vertex];
+    m_indices[vertex] = std::uint32_t(count);
+    count += m_marks[vertex];
   }
   mesh.vertices.resize(count);
+
+  const std::size_t end = mesh.indices.size() + 3 * std::size_t(m_mesh.drawn());
+  std::size_t next = mesh.indices.size();
+  mesh.indices.resize(end + kMostIndices);
+  for (std::size_t i = 0; i < leaves; i++) {
+    const TeRoamPoints& points = nodes.points(m_leaves[i]);
+    std::uint32_t indices[6];
+    for (int k = 0; k < 6; k++)
+      indices[k] = m_indices[std::size_t(points.vertices[k])];
+    const TeRoamFan& fan = TeRoamFan::all()[points.edges];
+    std::uint32_t* const out = mesh.indices.data() + next;
+    for (std::size_t corner = 0; corner < kMostIndices; corner++)
+      out[corner] = indices[fan.triangles[corner / 3][corner % 3]];
+    next += 3 * std::size_t(fan.count);
+  }
+  mesh.indices.resize(end);
 }

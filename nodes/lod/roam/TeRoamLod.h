@@ -60,8 +60,10 @@ private:
   Settings m_settings;
   TeLodDial m_dial;
   TeRoamMesh m_mesh;
-  mutable std::vector<std::uint32_t>
-      m_indices; ///< of vertices in the part that is made, plus one; 0: none yet
+  // Of the part that is made.
+  mutable std::vector<std::int32_t> m_leaves;
+  mutable std::vector<std::uint8_t> m_marks;    ///< by vertex of the mesh: it is used
+  mutable std::vector<std::uint32_t> m_indices; ///< by vertex of the mesh
 
   // The last selection.
   bool m_isComplete = true;

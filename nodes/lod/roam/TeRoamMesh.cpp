@@ -105,8 +105,8 @@ void TeRoamMesh::applyFormulaBelow(std::int32_t node) {
 float TeRoamMesh::formula(std::int32_t node) const {
   const TeLodField& field = m_nodes.bounds().field();
   glm::dvec3 centroid(0);
-  for (const std::int32_t vertex : m_nodes[node].vertices)
-    centroid += field.position(m_nodes.vertices()[std::size_t(vertex)]) / 3.0;
+  for (int k = 0; k < 3; k++)
+    centroid += field.position(m_nodes.vertices()[std::size_t(m_nodes.points(node).vertices[k])]) / 3.0;
   const double pixels = m_camera.pixels(double(m_nodes.variances()[std::size_t(node)]) * field.heightScale(),
                                         glm::distance(centroid, m_camera.eye));
   return float(std::min(pixels * m_unitsPerPixel, double(std::numeric_limits<float>::max())));
@@ -181,7 +181,7 @@ std::int64_t TeRoamMesh::splitsFor(std::int32_t leaf) const {
 
 void TeRoamMesh::setFan(std::int32_t number) {
   const TeRoamNode& node = m_nodes[number];
-  const int fan = node.isLeaf() ? TeRoamFan::all()[node.edgePoints].count : 0;
+  const int fan = node.isLeaf() ? TeRoamFan::all()[m_nodes.points(number).edges].count : 0;
   std::uint8_t& before = m_fans[std::size_t(number)];
   if (isSeen(number))
     m_drawn += fan - before;

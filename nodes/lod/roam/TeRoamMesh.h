@@ -44,6 +44,9 @@ public:
   const TeRoamQueue& merges() const { return m_merges; }
   float priority(std::int32_t node) const { return priorities()[node]; }
   bool isSeen(std::int32_t node) const { return m_screen[std::size_t(node)] >= 0; }
+  bool isShown(std::int32_t node) const {
+    return (m_fans[std::size_t(node)] != 0) & isSeen(node);
+  } ///< a leaf in view
   /// Triangles that a leaf is drawn with; 0 if it is none.
   int fan(std::int32_t node) const { return m_fans[std::size_t(node)]; }
 

@@ -7,13 +7,15 @@ TeRoamNodes::TeRoamNodes(std::shared_ptr<const TeRoamBounds> bounds) : m_bounds(
 }
 
 std::size_t TeRoamNodes::bytes() const {
-  return m_nodes.capacity() * sizeof(TeRoamNode) + m_boxes.bytes() + m_variances.capacity() * sizeof(float) +
+  return m_nodes.capacity() * sizeof(TeRoamNode) + m_points.capacity() * sizeof(TeRoamPoints) +
+         m_boxes.bytes() + m_variances.capacity() * sizeof(float) +
          m_vertices.capacity() * sizeof(TeLodVertex) +
          (m_freeFours.capacity() + m_freeVertices.capacity()) * sizeof(std::int32_t);
 }
 
 void TeRoamNodes::reset() {
   m_nodes.clear();
+  m_points.clear();
   m_boxes.resize(0);
   m_vertices.clear();
   m_freeFours.clear();
@@ -35,7 +37,7 @@ void TeRoamNodes::reset() {
     node.neighbours[2] = isUpper ? base : base + 1;
     const std::int32_t vertices[2][3] = {{0, 1, 2}, {2, 3, 0}};
     for (std::size_t k = 0; k < 3; k++)
-      node.vertices[k] = vertices[isUpper ? 1 : 0][k];
+      m_points[std::size_t(number)].vertices[k] = vertices[isUpper ? 1 : 0][k];
     describe(number);
   }
 }
@@ -48,6 +50,7 @@ std::int32_t TeRoamNodes::takeFour() {
   }
   const auto first = std::int32_t(m_nodes.size());
   m_nodes.resize(m_nodes.size() + 4);
+  m_points.resize(m_nodes.size());
   m_boxes.resize(m_nodes.size());
   if (m_bounds->hasVariance())
     m_variances.resize(m_nodes.size());
@@ -88,14 +91,14 @@ std::int32_t TeRoamNodes::makeChildren(std::int32_t parentNumber) {
   parent.children = first;
   m_live += 4;
 
+  const TeRoamPoints& points = m_points[std::size_t(parentNumber)];
   std::int32_t middles[3];
   for (int k = 0; k < 3; k++)
-    middles[k] = parent.edgePoints >> k & 1 ? edgePoint(parentNumber, k)
-                                            : makeVertex(parent.triangle.middle(k, deepest()));
-  const std::int32_t(&corners)[3] = parent.vertices;
-  const std::int32_t vertices[4][3] = {{corners[0], middles[0], middles[2]},
-                                       {middles[0], corners[1], middles[1]},
-                                       {middles[2], middles[1], corners[2]},
+    middles[k] =
+        points.edges >> k & 1 ? points.vertices[3 + k] : makeVertex(parent.triangle.middle(k, deepest()));
+  const std::int32_t vertices[4][3] = {{points.vertices[0], middles[0], middles[2]},
+                                       {middles[0], points.vertices[1], middles[1]},
+                                       {middles[2], middles[1], points.vertices[2]},
                                        {middles[1], middles[2], middles[0]}};
   for (int k = 0; k < 4; k++) {
     TeRoamNode& child = (*this)[first + k];
@@ -104,15 +107,17 @@ std::int32_t TeRoamNodes::makeChildren(std::int32_t parentNumber) {
     child.number = TeRoamTriangle::childOf(parent.number, k);
     child.parent = parentNumber;
     child.childNumber = std::uint8_t(k);
+    TeRoamPoints& corners = m_points[std::size_t(first + k)];
+    corners.edges = 0;
     for (int corner = 0; corner < 3; corner++)
-      child.vertices[corner] = vertices[k][corner];
+      corners.vertices[corner] = corners.vertices[3 + corner] = vertices[k][corner];
     describe(first + k);
   }
-  linkChildren(parentNumber);
+  linkChildren(parentNumber, middles);
   return first;
 }
 
-void TeRoamNodes::linkChildren(std::int32_t parentNumber) {
+void TeRoamNodes::linkChildren(std::int32_t parentNumber, const std::int32_t (&middles)[3]) {
   const TeRoamNode& parent = (*this)[parentNumber];
   const std::int32_t first = parent.children;
   for (int edge = 0; edge < 3; edge++) {
@@ -128,8 +133,10 @@ void TeRoamNodes::linkChildren(std::int32_t parentNumber) {
       (*this)[first + from].neighbours[edge] = (*this)[first + to].neighbours[edge] = neighbour;
       continue;
     }
-    TeRoamNode& other = (*this)[neighbour];
-    other.edgePoints = std::uint8_t(other.edgePoints | 1 << edge);
+    TeRoamPoints& points = m_points[std::size_t(neighbour)];
+    points.edges = std::uint8_t(points.edges | 1 << edge);
+    points.vertices[3 + edge] = middles[edge];
+    const TeRoamNode& other = (*this)[neighbour];
     if (other.isLeaf())
       continue;
     (*this)[first + from].neighbours[edge] = other.children + to;
@@ -144,12 +151,14 @@ void TeRoamNodes::freeChildren(std::int32_t parentNumber) {
   const std::int32_t first = parent.children;
   for (int edge = 0; edge < 3; edge++) {
     const std::int32_t neighbour = parent.neighbours[edge];
-    if (!(parent.edgePoints >> edge & 1))
-      m_freeVertices.push_back((*this)[first + 3].vertices[(edge + 2) % 3]);
+    if (!(m_points[std::size_t(parentNumber)].edges >> edge & 1))
+      m_freeVertices.push_back(m_points[std::size_t(first + 3)].vertices[(edge + 2) % 3]);
     if (neighbour < 0)
       continue;
-    TeRoamNode& other = (*this)[neighbour];
-    other.edgePoints = std::uint8_t(other.edgePoints & ~(1 << edge));
+    TeRoamPoints& points = m_points[std::size_t(neighbour)];
+    points.edges = std::uint8_t(points.edges & ~(1 << edge));
+    points.vertices[3 + edge] = points.vertices[edge];
+    const TeRoamNode& other = (*this)[neighbour];
     if (other.isLeaf())
       continue;
     for (const int k : {edge, (edge + 1) % 3})

@@ -18,14 +18,19 @@ struct TeRoamNode {
   std::int32_t children = kNone; ///< the first of four; none: a leaf
   /// Across each edge, of the same level; none if that triangle does not exist, its parent being a leaf.
   std::int32_t neighbours[3] = {kNone, kNone, kNone};
-  std::int32_t vertices[3] = {kNone, kNone, kNone}; ///< at the corners
   std::uint8_t childNumber = 0;
-  std::uint8_t edgePoints = 0; ///< bit k: the neighbour across edge k is split
   /// Of a split node: how many split nodes need it to stay split. Those are its children, and the children of
   /// its neighbours, that are split and have an edge on it.
   std::uint8_t locks = 0;
 
   bool isLeaf() const { return children < 0; }
+};
+
+/// What a node is drawn with: vertices at its corners and, for an edge whose neighbour is split, in the
+/// middle of it; elsewhere any vertex. Apart from the rest, so that drawing a mesh reads no more than this.
+struct TeRoamPoints {
+  std::int32_t vertices[6] = {0, 0, 0, 0, 0, 0}; ///< as in TeRoamFan
+  std::uint8_t edges = 0;                        ///< bit k: the neighbour across edge k is split
 };
 
 /// The triangles that exist, and their vertices: pools without holes to speak of, since what is freed is used
@@ -42,6 +47,7 @@ public:
 
   TeRoamNode& operator[](std::int32_t node) { return m_nodes[std::size_t(node)]; }
   const TeRoamNode& operator[](std::int32_t node) const { return m_nodes[std::size_t(node)]; }
+  const TeRoamPoints& points(std::int32_t node) const { return m_points[std::size_t(node)]; }
   const TeRoamBounds& bounds() const { return *m_bounds; }
   const TeRoamBoxes& boxes() const { return m_boxes; }
   const std::vector<float>& variances() const { return m_variances; }     ///< by node, if bounds() has them
@@ -54,20 +60,15 @@ public:
   /// Undoes that.
   void freeChildren(std::int32_t parent);
 
-  /// Vertex in the middle of an edge across which the node's neighbour is split.
-  std::int32_t edgePoint(std::int32_t node, int edge) const {
-    const TeRoamNode& neighbour = (*this)[(*this)[node].neighbours[edge]];
-    return (*this)[neighbour.children + 3].vertices[(edge + 2) % 3];
-  }
-
 private:
   std::int32_t takeFour();
   std::int32_t makeVertex(const TeRoamTriangle::Point& point);
   void describe(std::int32_t node);
-  void linkChildren(std::int32_t parent);
+  void linkChildren(std::int32_t parent, const std::int32_t (&middles)[3]);
 
   std::shared_ptr<const TeRoamBounds> m_bounds;
   std::vector<TeRoamNode> m_nodes;
+  std::vector<TeRoamPoints> m_points; ///< by node, as the following
   TeRoamBoxes m_boxes;
   std::vector<float> m_variances;
   std::vector<TeLodVertex> m_vertices;

@@ -10,14 +10,6 @@ constexpr std::size_t kChildren = 4;
 
 } // namespace
 
-// Numbers of one sign are ordered as their bits are.
-std::uint64_t TeRoamQueue::bitsOf(float priority) {
-  const float clamped = priority > 0 ? priority : 0.0f;
-  std::uint32_t bits = 0;
-  std::memcpy(&bits, &clamped, sizeof bits);
-  return bits;
-}
-
 float TeRoamQueue::priorityOf(const Entry& entry) const {
   const auto bits = std::uint32_t((entry.order ^ m_inverted) >> 32);
   float priority = 0;
@@ -81,10 +73,13 @@ void TeRoamQueue::siftDown(std::size_t place, Entry entry) {
     if (first >= m_entries.size())
       break;
     const std::size_t end = std::min(first + kChildren, m_entries.size());
-    std::size_t best = first;
-    for (std::size_t child = first + 1; child < end; child++)
-      best = m_entries[child].order > m_entries[best].order ? child : best;
-    if (m_entries[best].order <= entry.order)
+    std::uint64_t most = entry.order;
+    std::size_t best = place;
+    for (std::size_t child = first; child < end; child++) {
+      best = m_entries[child].order > most ? child : best;
+      most = std::max(most, m_entries[child].order);
+    }
+    if (best == place)
       break;
     put(place, m_entries[best]);
     place = best;

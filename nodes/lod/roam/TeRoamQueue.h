@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <cstring>
 #include <vector>
 
 /// A priority queue of triangles that is kept from frame to frame: a heap with four children an entry, in one
@@ -45,7 +46,13 @@ private:
     std::int32_t node = 0;
   };
 
-  static std::uint64_t bitsOf(float priority);
+  /// Numbers of one sign are ordered as their bits are.
+  static std::uint64_t bitsOf(float priority) {
+    const float clamped = priority > 0 ? priority : 0.0f;
+    std::uint32_t bits = 0;
+    std::memcpy(&bits, &clamped, sizeof bits);
+    return bits;
+  }
   std::uint64_t orderOf(std::uint32_t number, float priority) const {
     return (bitsOf(priority) << 32 | std::uint32_t(~number)) ^ m_inverted;
   }

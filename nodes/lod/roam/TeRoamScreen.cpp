@@ -15,32 +15,46 @@ constexpr double kUp = 1 + 1.5 / (1 << 23);
 constexpr double kLargest = std::numeric_limits<float>::max();
 constexpr double kNearest = 1e-300; ///< metres: no division by 0
 
-inline double atLeastZero(double a) { return a > 0 ? a : 0; }
+constexpr std::size_t kBlock = 64; ///< triangles whose numbers stay in the nearest cache
+
 inline double larger(double a, double b) { return a > b ? a : b; }
 inline double smaller(double a, double b) { return a < b ? a : b; }
 
+// Loops without branches over short arrays: all of them are vectorised.
 TE_TARGET_CLONES
-void prioritiesOf(const TeRoamScreen::Numbers& view, const float* x, const float* y, const float* size,
+void prioritiesOf(const TeRoamScreen::Numbers& v, const float* x, const float* y, const float* size,
                   const float* low, const float* high, const float* error, std::size_t count, float* result) {
-  const TeRoamScreen::Numbers v = view;
-  for (std::size_t i = 0; i < count; i++) {
-    const double west = double(x[i]), south = double(y[i]), side = double(size[i]);
-    const double bottom = double(low[i]), top = double(high[i]);
-    double inside = 0;
-    for (int p = 0; p < 6; p++) {
-      const TeRoamScreen::Plane& plane = v.planes[p];
-      inside = smaller(inside, plane.x * (west + plane.east * side) + plane.y * (south + plane.north * side) +
-                                   plane.low * bottom + plane.high * top + plane.w);
+  double west[kBlock], south[kBlock], side[kBlock], bottom[kBlock], top[kBlock], inside[kBlock];
+  for (std::size_t first = 0; first < count; first += kBlock) {
+    const std::size_t n = count - first < kBlock ? count - first : kBlock;
+    for (std::size_t i = 0; i < n; i++) {
+      west[i] = double(x[first + i]);
+      south[i] = double(y[first + i]);
+      side[i] = double(size[first + i]);
+      bottom[i] = double(low[first + i]);
+      top[i] = double(high[first + i]);
+      inside[i] = double(error[first + i]); // negative: no triangle
     }
-    const double dx = atLeastZero(larger(west - v.eye[0], v.eye[0] - (west + side))) * v.scale[0];
-    const double dy = atLeastZero(larger(south - v.eye[1], v.eye[1] - (south + side))) * v.scale[1];
-    const double dz = atLeastZero(larger(bottom - v.eye[2], v.eye[2] - top)) * v.scale[2];
-    const double distance = larger(std::sqrt(dx * dx + dy * dy + dz * dz) - v.slack, kNearest);
-    const double divisor = v.perspective * distance + (1 - v.perspective);
-    const double deviation = double(error[i]);
-    const double pixels = smaller(deviation * v.focal * kUp / divisor, kLargest);
-    const bool isSeen = inside >= 0 && deviation >= 0;
-    result[i] = float(isSeen ? larger(pixels, v.least) : -1.0);
+    for (int p = 0; p < v.planeCount; p++) {
+      const TeRoamScreen::Plane plane = v.planes[p];
+      for (std::size_t i = 0; i < n; i++)
+        inside[i] = smaller(inside[i], plane.x * (west[i] + plane.east * side[i]) +
+                                           plane.y * (south[i] + plane.north * side[i]) +
+                                           plane.low * bottom[i] + plane.high * top[i] + plane.w);
+    }
+    const double eyeX = v.eye[0], eyeY = v.eye[1], eyeZ = v.eye[2];
+    const double scaleX = v.scale[0], scaleY = v.scale[1], scaleZ = v.scale[2];
+    const double slack = v.slack, focal = v.focal * kUp, least = v.least;
+    const double perspective = v.perspective, orthographic = 1 - v.perspective;
+    for (std::size_t i = 0; i < n; i++) {
+      const double dx = larger(larger(west[i] - eyeX, eyeX - (west[i] + side[i])), 0) * scaleX;
+      const double dy = larger(larger(south[i] - eyeY, eyeY - (south[i] + side[i])), 0) * scaleY;
+      const double dz = larger(larger(bottom[i] - eyeZ, eyeZ - top[i]), 0) * scaleZ;
+      const double distance = larger(std::sqrt(dx * dx + dy * dy + dz * dz) - slack, kNearest);
+      const double divisor = perspective * distance + orthographic;
+      const double pixels = larger(smaller(double(error[first + i]) * focal / divisor, kLargest), least);
+      result[first + i] = float(inside[i] >= 0 ? pixels : -1.0);
+    }
   }
 }
 
@@ -65,9 +79,8 @@ TeRoamScreen::TeRoamScreen(const TeLodField& field, const TeLodView& view, float
   m_numbers.focal = view.focal * scale.z;
   m_numbers.perspective = view.perspective ? 1 : 0;
   m_numbers.least = double(least);
-  for (int i = 0; i < 6; i++) {
-    if (i >= view.planeCount)
-      break; // the rest hold everything
+  m_numbers.planeCount = view.planeCount;
+  for (int i = 0; i < view.planeCount; i++) {
     const glm::dvec4& plane = view.planes[std::size_t(i)];
     Plane& made = m_numbers.planes[i];
     made.x = plane.x * scale.x;

@@ -34,6 +34,7 @@ public:
     double perspective = 1;      ///< 0: orthographic
     double least = 0;
     Plane planes[6];
+    int planeCount = 0;
   };
 
 private:

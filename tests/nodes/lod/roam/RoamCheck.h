@@ -56,6 +56,12 @@ private:
            m_nodes[m_nodes[node].children + (edge + 1) % 3].isLeaf();
   }
 
+  bool isMiddle(std::int32_t number, int edge) const {
+    const TeRoamTriangle::Point middle = m_nodes[number].triangle.middle(edge, m_nodes.deepest());
+    const TeLodVertex& vertex = m_nodes.vertices()[std::size_t(m_nodes.points(number).vertices[3 + edge])];
+    return vertex.column == middle.column && vertex.row == middle.row;
+  }
+
   const char* faultOf(std::int32_t number) const {
     const TeRoamNode& node = m_nodes[number];
     const std::int32_t parent = m_parents[std::size_t(number)];
@@ -71,7 +77,7 @@ private:
     }
     for (int k = 0; k < 3; k++) {
       const TeRoamTriangle::Point corner = node.triangle.corner(k, m_nodes.deepest());
-      const TeLodVertex& vertex = m_nodes.vertices()[std::size_t(node.vertices[k])];
+      const TeLodVertex& vertex = m_nodes.vertices()[std::size_t(m_nodes.points(number).vertices[k])];
       if (vertex.column != corner.column || vertex.row != corner.row)
         return "vertex";
     }
@@ -84,8 +90,10 @@ private:
       if (node.neighbours[edge] != wanted)
         return "neighbour";
       const bool isSplit = wanted >= 0 && !m_nodes[wanted].isLeaf();
-      if ((node.edgePoints >> edge & 1) != (isSplit ? 1 : 0))
+      if ((m_nodes.points(number).edges >> edge & 1) != (isSplit ? 1 : 0))
         return "edge point";
+      if (isSplit && !isMiddle(number, edge))
+        return "vertex of an edge point";
       if (!node.isLeaf() && wanted == TeRoamNode::kNone)
         return "a neighbour of a split triangle is missing";
       if (node.isLeaf() && isSplit && !hasLeavesAlong(wanted, edge))
@@ -100,7 +108,7 @@ private:
       return "split queue";
     if (m_mesh.merges().contains(number) != isFree)
       return "merge queue";
-    if (m_mesh.fan(number) != (node.isLeaf() ? TeRoamFan::all()[node.edgePoints].count : 0))
+    if (m_mesh.fan(number) != (node.isLeaf() ? TeRoamFan::all()[m_nodes.points(number).edges].count : 0))
       return "fan";
     return nullptr;
   }

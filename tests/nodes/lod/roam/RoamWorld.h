@@ -42,17 +42,12 @@ inline void addAllLeaves(const TeRoamMesh& mesh, TeWatertight& check) {
   for (std::int32_t node = 0; node < std::int32_t(nodes.size()); node++) {
     if (mesh.fan(node) == 0)
       continue;
-    std::uint32_t points[6] = {};
-    const auto pointOf = [&](std::int32_t vertex) {
-      const TeLodVertex& place = nodes.vertices()[std::size_t(vertex)];
-      return std::uint32_t(place.row * width + place.column);
-    };
-    for (int k = 0; k < 3; k++) {
-      points[k] = pointOf(nodes[node].vertices[k]);
-      if (nodes[node].edgePoints >> k & 1)
-        points[3 + k] = pointOf(nodes.edgePoint(node, k));
+    std::uint32_t points[6];
+    for (int k = 0; k < 6; k++) {
+      const TeLodVertex& place = nodes.vertices()[std::size_t(nodes.points(node).vertices[k])];
+      points[k] = std::uint32_t(place.row * width + place.column);
     }
-    const TeRoamFan& fan = TeRoamFan::all()[nodes[node].edgePoints];
+    const TeRoamFan& fan = TeRoamFan::all()[nodes.points(node).edges];
     for (int i = 0; i < fan.count; i++) {
       const TeRoamFan::Triangle& triangle = fan.triangles[std::size_t(i)];
       check.add(points[triangle[0]], points[triangle[1]], points[triangle[2]]);
