@@ -8,6 +8,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
+#include <cstring>
+#include <map>
 #include <memory>
 #include <random>
 
@@ -69,4 +72,91 @@ inline void addTo(TeWatertight& mesh, const TeLodField& field, const TeLodMesh& 
   for (std::size_t i = 0; i < triangles.indices.size(); i += 3)
     mesh.add(number(triangles.indices[i]), number(triangles.indices[i + 1]),
              number(triangles.indices[i + 2]));
+}
+
+inline TeLodMesh meshOf(const TeLodMethod& method) {
+  TeLodMesh mesh;
+  method.appendMesh(mesh);
+  EXPECT_EQ(mesh.triangles(), method.selection().triangles);
+  return mesh;
+}
+
+/// What a method may be asked for.
+template <class Random> TeLodAccuracy anyAccuracy(Random& random) {
+  const auto uniform = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  TeLodAccuracy accuracy;
+  accuracy.pixelError = random() % 20 == 0 ? 0 : std::exp(uniform(-2, 5));
+  if (random() % 4 == 0)
+    accuracy.dial = std::exp(uniform(-2, 5));
+  accuracy.geomorph = random() % 2;
+  return accuracy;
+}
+
+/// Over all samples in view: each is drawn once, and none is off by more than the selection says, which is no
+/// more than was asked for. `create` makes a method over a field.
+template <class Create> void expectThatBoundsHold(Create create, std::mt19937& random) {
+  int frames = 0;
+  double closest = 0, ratios = 0;
+  for (int kind = 0; kind <= int(StressField::Flat); kind++)
+    for (const int cells : {64, 128}) {
+      const TeLodFieldPtr field = anyField(StressField(kind), cells, random);
+      const std::unique_ptr<TeLodMethod> method = create(field);
+      for (int camera = 0; camera < 60; camera++) {
+        const TeLodView view = anyView(*field, camera % 3 == 0, random);
+        const TeLodAccuracy accuracy = anyAccuracy(random);
+        method->select(view, accuracy);
+        const TeLodSelection& selection = method->selection();
+        const TeScreenError::Report report = measured(*field, meshOf(*method), view);
+        SCOPED_TRACE(testing::Message()
+                     << "field " << kind << " of " << cells << " cells, camera " << camera);
+        ASSERT_EQ(report.uncovered, 0);
+        ASSERT_EQ(report.overlaps, 0);
+        ASSERT_EQ(report.foreign, 0);
+        ASSERT_LE(report.worst, selection.errorBound * (1 + 1e-6) + roundingAt(*field, view, report));
+        if (accuracy.dial == 0) {
+          ASSERT_LE(selection.errorBound, accuracy.pixelError);
+        }
+        if (selection.errorBound > 0 && std::isfinite(selection.errorBound)) {
+          closest = std::max(closest, report.worst / selection.errorBound);
+          ratios += report.worst / selection.errorBound;
+          frames++;
+        }
+      }
+    }
+  EXPECT_GT(frames, 100);
+  EXPECT_GT(closest, 0.99);
+  std::printf("%d frames: true error on average %.2f of the bound, at most %.4f\n", frames, ratios / frames,
+              closest);
+}
+
+/// The same key, the same triangles, whatever else is chosen; and two methods choose alike.
+inline void expectThatKeysStandForTriangles(TeLodMethod& method, TeLodMethod& again, std::mt19937& random) {
+  std::map<std::uint64_t, TeLodMesh> known;
+  int met = 0;
+  for (int camera = 0; camera < 60; camera++) {
+    const TeLodView view = anyView(method.field(), false, random);
+    const TeLodAccuracy accuracy = anyAccuracy(random);
+    method.select(view, accuracy);
+    again.select(view, accuracy);
+    ASSERT_EQ(method.selection().parts.size(), again.selection().parts.size());
+    for (std::size_t i = 0; i < method.selection().parts.size(); i++) {
+      const TeLodPart& part = method.selection().parts[i];
+      ASSERT_EQ(part.key, again.selection().parts[i].key);
+      TeLodMesh mesh;
+      method.appendPart(i, mesh);
+      ASSERT_EQ(mesh.triangles(), part.triangles);
+      const auto [found, isNew] = known.try_emplace(part.key, mesh);
+      met += !isNew;
+      const TeLodMesh& before = found->second;
+      ASSERT_EQ(before.indices, mesh.indices);
+      ASSERT_EQ(before.skirts, mesh.skirts);
+      ASSERT_EQ(before.vertices.size(), mesh.vertices.size());
+      ASSERT_EQ(std::memcmp(before.vertices.data(), mesh.vertices.data(),
+                            mesh.vertices.size() * sizeof(TeLodVertex)),
+                0);
+    }
+  }
+  EXPECT_GT(met, 100);
 }

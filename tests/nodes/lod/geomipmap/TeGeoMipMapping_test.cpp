@@ -2,37 +2,12 @@
 #include "nodes/lod/geomipmap/TeGeoMipMapping.h"
 #include "tests/nodes/lod/lodTrials.h"
 
-#include <cstdio>
-#include <cstring>
-#include <map>
-
 namespace {
 
 std::unique_ptr<TeLodMethod> methodOver(TeLodFieldPtr field, int patchCells = 0) {
   TeGeoMipMapping::Settings settings;
   settings.patchCells = patchCells;
   return std::move(TeGeoMipMapping::create(std::move(field), settings).value());
-}
-
-TeLodMesh meshOf(const TeLodMethod& method) {
-  TeLodMesh mesh;
-  method.appendMesh(mesh);
-  EXPECT_EQ(mesh.triangles(), method.selection().triangles);
-  EXPECT_TRUE(mesh.skirts.empty());
-  return mesh;
-}
-
-/// A wish for the method in one of its ways.
-TeLodAccuracy anyAccuracy(std::mt19937& random) {
-  const auto uniform = [&](double low, double high) {
-    return std::uniform_real_distribution<double>(low, high)(random);
-  };
-  TeLodAccuracy accuracy;
-  accuracy.pixelError = random() % 20 == 0 ? 0 : std::exp(uniform(-2, 5));
-  if (random() % 4 == 0)
-    accuracy.dial = std::exp(uniform(-2, 5));
-  accuracy.geomorph = random() % 2;
-  return accuracy;
 }
 
 } // namespace
@@ -68,36 +43,8 @@ TEST(TeGeoMipMapping, neverHasACrack) {
 
 TEST(TeGeoMipMapping, itsBoundHolds) {
   std::mt19937 random(6);
-  int frames = 0;
-  double closest = 0, ratios = 0;
-  for (int kind = 0; kind <= int(StressField::Flat); kind++)
-    for (const auto& [cells, patchCells] : {std::pair(128, 8), std::pair(64, 32)}) {
-      const TeLodFieldPtr field = anyField(StressField(kind), cells, random);
-      const auto method = methodOver(field, patchCells);
-      for (int camera = 0; camera < 60; camera++) {
-        const TeLodView view = anyView(*field, camera % 3 == 0, random);
-        const TeLodAccuracy accuracy = anyAccuracy(random);
-        method->select(view, accuracy);
-        const TeLodSelection& selection = method->selection();
-        const TeScreenError::Report report = measured(*field, meshOf(*method), view);
-        ASSERT_EQ(report.uncovered, 0);
-        ASSERT_EQ(report.overlaps, 0);
-        ASSERT_EQ(report.foreign, 0);
-        ASSERT_LE(report.worst, selection.errorBound * (1 + 1e-6) + roundingAt(*field, view, report))
-            << "field " << kind << " camera " << camera;
-        if (accuracy.dial == 0) {
-          ASSERT_LE(selection.errorBound, accuracy.pixelError);
-        }
-        if (selection.errorBound > 0 && std::isfinite(selection.errorBound)) {
-          closest = std::max(closest, report.worst / selection.errorBound);
-          ratios += report.worst / selection.errorBound;
-          frames++;
-        }
-      }
-    }
-  EXPECT_GT(closest, 0.99);
-  std::printf("%d frames: true error on average %.2f of the bound, at most %.4f\n", frames, ratios / frames,
-              closest);
+  expectThatBoundsHold(
+      [](const TeLodFieldPtr& field) { return methodOver(field, field->cells() == 64 ? 32 : 8); }, random);
 }
 
 TEST(TeGeoMipMapping, noErrorMeansEverySample) {
@@ -163,35 +110,10 @@ TEST(TeGeoMipMapping, lowersTheAccuracyForABudget) {
   EXPECT_EQ(method->selection().triangles, 2 * 16 * 16);
 }
 
-// The same key, the same triangles, whatever else was chosen.
 TEST(TeGeoMipMapping, keysStandForTriangles) {
   std::mt19937 random(11);
   const TeLodFieldPtr field = anyField(StressField::Rough, 128, random);
-  const auto method = methodOver(field, 8), again = methodOver(field, 8);
-  std::map<std::uint64_t, TeLodMesh> known;
-  int met = 0;
-  for (int camera = 0; camera < 60; camera++) {
-    const TeLodView view = anyView(*field, false, random);
-    const TeLodAccuracy accuracy = anyAccuracy(random);
-    method->select(view, accuracy);
-    again->select(view, accuracy);
-    ASSERT_EQ(method->selection().parts.size(), again->selection().parts.size());
-    for (std::size_t i = 0; i < method->selection().parts.size(); i++) {
-      const TeLodPart& part = method->selection().parts[i];
-      ASSERT_EQ(part.key, again->selection().parts[i].key);
-      TeLodMesh mesh;
-      method->appendPart(i, mesh);
-      ASSERT_EQ(mesh.triangles(), part.triangles);
-      const auto [found, isNew] = known.try_emplace(part.key, mesh);
-      met += !isNew;
-      ASSERT_EQ(found->second.indices, mesh.indices);
-      ASSERT_EQ(found->second.vertices.size(), mesh.vertices.size());
-      ASSERT_EQ(std::memcmp(found->second.vertices.data(), mesh.vertices.data(),
-                            mesh.vertices.size() * sizeof(TeLodVertex)),
-                0);
-    }
-  }
-  EXPECT_GT(met, 100);
+  expectThatKeysStandForTriangles(*methodOver(field, 8), *methodOver(field, 8), random);
 }
 
 TEST(TeGeoMipMapping, itsDialIsAThresholdInPixels) {
