@@ -4,6 +4,7 @@
 #include "nodes/lod/geomipmap/TeGeoMipMapping.h"
 #include "nodes/lod/quadtree/TeQuadtreeLod.h"
 #include "nodes/lod/roam/TeRoamLod.h"
+#include "nodes/lod/rtin/TeRtinLod.h"
 #include "nodes/lod/seamless/TeSeamlessLod.h"
 
 #include <algorithm>
@@ -25,6 +26,14 @@ const std::vector<Entry>& entries() {
       {"quadtree", [](TeLodFieldPtr field) -> Made { return TeQuadtreeLod::create(std::move(field)); }},
       {"seamless", [](TeLodFieldPtr field) -> Made { return TeSeamlessLod::create(std::move(field)); }},
       {"geomipmap", [](TeLodFieldPtr field) -> Made { return TeGeoMipMapping::create(std::move(field)); }},
+      {"rtin",
+       [](TeLodFieldPtr field) -> Made {
+         return {std::make_unique<TeRtinLod>(std::move(field), TeRtinError::Exact)};
+       }},
+      {"rtin-midpoint",
+       [](TeLodFieldPtr field) -> Made {
+         return {std::make_unique<TeRtinLod>(std::move(field), TeRtinError::Midpoint)};
+       }},
   };
   return all;
 }
