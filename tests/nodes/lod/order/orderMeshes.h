@@ -1,0 +1,54 @@
+#pragma once
+
+#include "nodes/lod/rtin/TeRtinLod.h"
+#include "nodes/seamless/SeamlessViews.h"
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <random>
+#include <vector>
+
+/// A mesh of cells × cells cells, row by row, as most programs make it.
+inline TeLodMesh gridOf(int cells) {
+  TeLodMesh mesh;
+  for (int row = 0; row <= cells; row++)
+    for (int column = 0; column <= cells; column++)
+      mesh.vertices.push_back({column, row, 0});
+  const std::uint32_t width = std::uint32_t(cells) + 1;
+  for (std::uint32_t row = 0; row + 1 < width; row++)
+    for (std::uint32_t column = 0; column + 1 < width; column++) {
+      const std::uint32_t southWest = row * width + column, northWest = southWest + width;
+      mesh.indices.insert(mesh.indices.end(), {southWest, southWest + 1, northWest + 1});
+      mesh.indices.insert(mesh.indices.end(), {southWest, northWest + 1, northWest});
+    }
+  return mesh;
+}
+
+/// Triangles of many sizes: hills by right triangles, as far as they are worth it.
+inline TeLodMesh irregularMesh(int cells, double metres) {
+  std::mt19937 random(1);
+  const auto field =
+      TeLodField::create(std::make_shared<const TeHeightMap>(stressMap(StressField::Rough, cells, random)),
+                         {})
+          .value();
+  TeRtinLod method(field, TeRtinError::Exact);
+  TeLodAccuracy accuracy;
+  accuracy.dial = metres;
+  method.select(TeLodView(), accuracy);
+  TeLodMesh mesh;
+  method.appendMesh(mesh);
+  return mesh;
+}
+
+/// Triangles as a sorted list, each from its lowest corner on: what they are, whatever their order.
+inline std::vector<std::array<std::uint32_t, 3>> sortedTriangles(const std::vector<std::uint32_t>& indices) {
+  std::vector<std::array<std::uint32_t, 3>> triangles;
+  for (std::size_t i = 0; i + 2 < indices.size(); i += 3) {
+    std::array<std::uint32_t, 3> corners{indices[i], indices[i + 1], indices[i + 2]};
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    triangles.push_back(corners);
+  }
+  std::sort(triangles.begin(), triangles.end());
+  return triangles;
+}
