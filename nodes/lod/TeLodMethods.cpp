@@ -1,6 +1,7 @@
 #include "nodes/lod/TeLodMethods.h"
 
 #include "nodes/lod/brute/TeBruteForce.h"
+#include "nodes/lod/chunked/TeChunkedLod.h"
 #include "nodes/lod/geomipmap/TeGeoMipMapping.h"
 #include "nodes/lod/quadtree/TeQuadtreeLod.h"
 #include "nodes/lod/roam/TeRoamLod.h"
@@ -26,6 +27,7 @@ const std::vector<Entry>& entries() {
       {"quadtree", [](TeLodFieldPtr field) -> Made { return TeQuadtreeLod::create(std::move(field)); }},
       {"seamless", [](TeLodFieldPtr field) -> Made { return TeSeamlessLod::create(std::move(field)); }},
       {"geomipmap", [](TeLodFieldPtr field) -> Made { return TeGeoMipMapping::create(std::move(field)); }},
+      {"chunked", [](TeLodFieldPtr field) -> Made { return TeChunkedLod::create(std::move(field)); }},
       {"rtin",
        [](TeLodFieldPtr field) -> Made {
          return {std::make_unique<TeRtinLod>(std::move(field), TeRtinError::Exact)};
