@@ -1,6 +1,9 @@
 #include "nodes/lod/quadtree/TeQuadtreeLod.h"
 
-#include "generators/base/TeText.h"
+#include "nodes/lod/quadtree/TeQuadtreeBudget.h"
+
+#include <algorithm>
+#include <cmath>
 
 TeResult<std::unique_ptr<TeLodMethod>> TeQuadtreeLod::create(TeLodFieldPtr field) {
   TeResult<TeQuadtree> tree = TeQuadtree::create(field->heights());
@@ -24,12 +27,24 @@ double TeQuadtreeLod::bytesPerSample() const {
 
 void TeQuadtreeLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy, TeAllowance&,
                            TeLodSelection& selection) {
+  const bool usesDial = accuracy.dial > 0;
   TeQuadtreeMesh::Wish wish;
-  wish.pixelError = accuracy.pixelError;
-  wish.threshold = accuracy.dial;
   wish.geomorph = accuracy.geomorph;
-  const TeQuadtreeMesh::Result& result = m_mesh.update(view, wish);
-  m_key += result.changed;
+  const double exactStep = 1.0 / 64; // pixels, where an exact mesh has to be made coarser
+  const double first = std::max(accuracy.pixelError, exactStep);
+  const auto triangles = [&](double coarsening) {
+    wish.pixelError = coarsening > 1 ? first * coarsening : accuracy.pixelError;
+    wish.threshold = accuracy.dial / coarsening;
+    m_key += m_mesh.update(view, wish).changed;
+    return m_mesh.result().triangles;
+  };
+  const double last = usesDial ? accuracy.dial / m_accepted : m_accepted / first;
+  const bool wasCoarser = m_accepted > 0 && m_acceptedDial == usesDial && last > 1 && std::isfinite(last);
+  const double coarsening = TeQuadtreeBudget::search(accuracy.maxTriangles, wasCoarser ? last : 1, triangles);
+  m_accepted = usesDial ? accuracy.dial / coarsening : first * coarsening;
+  m_acceptedDial = usesDial;
+
+  const TeQuadtreeMesh::Result& result = m_mesh.result();
   if (result.triangles > 0)
     selection.parts.push_back({m_key, result.triangles});
   selection.triangles = result.triangles;
@@ -38,7 +53,8 @@ void TeQuadtreeLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy,
   selection.splits = result.enabled;
   selection.merges = result.disabled;
   selection.errorBound = result.errorBound;
-  selection.dial = accuracy.dial > 0 ? accuracy.dial : view.focal / accuracy.pixelError;
+  selection.dial = usesDial ? wish.threshold : view.focal / wish.pixelError;
+  selection.coarsening = coarsening;
 }
 
 void TeQuadtreeLod::appendPart(std::size_t, TeLodMesh& mesh) const { m_mesh.append(mesh); }

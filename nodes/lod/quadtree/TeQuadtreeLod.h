@@ -7,6 +7,8 @@
 
 /// The adaptive quadtree (docs/adaptive-quadtree.md) as one of the methods; the dial is the document's
 /// threshold: an error of z / threshold is accepted at distance z. One part, whose key changes with the mesh.
+/// A budget that is too small for what is wanted is used to 95 % at least, where the mesh has a step there,
+/// and the accuracy that was found is kept as long as that is so.
 /// Here the data tree is dense; sparse and procedural ones are drawn from TeQuadtreeMesh.
 class TeQuadtreeLod final : public TeLodMethod {
 public:
@@ -26,10 +28,15 @@ protected:
   void choose(const TeLodView& view, const TeLodAccuracy& accuracy, TeAllowance& allowance,
               TeLodSelection& selection) override;
 
+  bool coarsens() const override { return false; }
+
 private:
   TeQuadtreeLod(TeLodFieldPtr field, TeQuadtree tree);
 
   const TeQuadtree m_tree;
   TeQuadtreeMesh m_mesh;
   std::uint64_t m_key = 0;
+  bool m_acceptedDial = false;
+  double m_accepted =
+      0; ///< last pixelError, or threshold, that kept the budget; where the next search starts
 };

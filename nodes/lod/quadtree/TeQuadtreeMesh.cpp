@@ -38,6 +38,7 @@ const TeQuadtreeMesh::Result& TeQuadtreeMesh::update(const TeLodView& view, cons
   if (m_heightsVersion != m_tree->heightsVersion())
     clear();
   m_metric = TeQuadtreeMetric(view, m_placement, double(m_tree->side()));
+  m_metric.setRange(m_tree->square(0).low(), m_tree->square(0).high());
   m_wish = wish;
   m_result = Result();
   m_worst2 = m_worstOffset = 0;
@@ -52,10 +53,9 @@ const TeQuadtreeMesh::Result& TeQuadtreeMesh::update(const TeLodView& view, cons
   root.tested = root.edges = 0;
   root.planes = std::uint8_t(m_metric.cut(boxOf(root, 0), m_metric.allPlanes()));
   m_tasks.assign(1, kCentre);
-  while (!m_tasks.empty()) {
-    const std::uint32_t number = m_tasks.back() >> 3;
-    const int what = int(m_tasks.back() & 7);
-    m_tasks.pop_back();
+  for (std::size_t task = 0; task < m_tasks.size(); task++) {
+    const std::uint32_t number = m_tasks[task] >> 3;
+    const int what = int(m_tasks[task] & 7);
     if (what == kCentre) {
       for (int s = 0; s < 4; s++)
         testEdge(number, s);
@@ -165,6 +165,12 @@ bool TeQuadtreeMesh::isTooFar(const Square& square, double error, const TeQuadtr
   return tooFar;
 }
 
+/// By what is at hand: at a distance that is too short, triangles over a rectangle are no worse than others
+/// are already. Spares most tests that fail their box and a division.
+bool TeQuadtreeMesh::isGoodEnough(double error, double x0, double x1, double y0, double y1) const {
+  return m_metric.pixels2(error, 1) <= m_worst2 * m_metric.leastDistance2(x0, x1, y0, y1);
+}
+
 void TeQuadtreeMesh::testEdge(std::uint32_t number, int s) {
   const Square& square = m_squares[number];
   if (square.planes == TeQuadtreeMetric::kOutside || (square.edges >> s & 1) != 0 ||
@@ -175,6 +181,16 @@ void TeQuadtreeMesh::testEdge(std::uint32_t number, int s) {
   const std::uint32_t beyond = square.neighbours[s];
   if (!isOwn && isMarked(beyond) && m_squares[beyond].planes != TeQuadtreeMetric::kOutside)
     return;
+  if (isOwn && !(m_wish.threshold > 0)) {
+    const TeQuadtreeSquare& data = m_tree->square(square.data);
+    const double x = square.x, y = square.y, side = double(1 << square.sideLog), half = side / 2;
+    const bool isGood =
+        s == Sides::kEast
+            ? isGoodEnough(double(teUnpack(data.eastError)), x + half, x + side + half, y, y + side)
+            : isGoodEnough(double(teUnpack(data.southError)), x, x + side, y - half, y + half);
+    if (isGood)
+      return;
+  }
   const std::uint32_t neighbour = neighbourData(number, s);
   const TeQuadtreeBox box = boxOfEdge(square, s, neighbour);
   bool enables = false;
@@ -202,13 +218,19 @@ void TeQuadtreeMesh::testChild(std::uint32_t number, int k) {
   const std::uint32_t data = m_tree->child(square.data, k);
   if (data == 0 || isMarked(square.children[k]))
     return;
-  const TeQuadtreeBox box = boxOfChild(square, k, data);
+  const TeQuadtreeSquare& inside = m_tree->square(data);
+  const double half = double(1 << square.sideLog) / 2;
+  const double x = square.x + (Sides::isEast(k) ? half : 0), y = square.y + (Sides::isNorth(k) ? half : 0);
+  const double error = double(teUnpack(inside.centreError));
+  const bool usesDial = m_wish.threshold > 0;
+  if (!usesDial && isGoodEnough(error, x, x + half, y, y + half))
+    return;
+  const TeQuadtreeBox box{x, x + half, y, y + half, inside.low(), inside.high()};
   const bool enables =
-      m_wish.threshold > 0
-          ? double(teUnpack(m_tree->square(data).largestError)) * m_metric.heightScale() * m_wish.threshold >
-                    m_metric.maxNorm(box) &&
-                inView(square, box)
-          : isTooFar(square, double(teUnpack(m_tree->square(data).centreError)), box);
+      usesDial ? double(teUnpack(inside.largestError)) * m_metric.heightScale() * m_wish.threshold >
+                         m_metric.maxNorm(box) &&
+                     inView(square, box)
+               : isTooFar(square, error, box);
   if (enables)
     enableSquare(number, k);
 }
@@ -230,6 +252,7 @@ std::uint32_t TeQuadtreeMesh::enableSquare(std::uint32_t parent, int k) {
   const bool isCut = planes != 0 && planes != TeQuadtreeMetric::kOutside;
   square.planes = std::uint8_t(isCut ? m_metric.cut(boxOf(square, square.data), planes) : planes);
   m_tasks.push_back(number << 3 | kCentre);
+  m_tree->prefetchChildren(square.data); // tasks are done in the order in which they come up
   return number;
 }
 
@@ -415,27 +438,37 @@ void TeQuadtreeMesh::append(TeLodMesh& mesh) const {
     }
     return number;
   };
-  mesh.indices.reserve(mesh.indices.size() + 3 * std::size_t(m_result.triangles));
+  const std::size_t first = mesh.indices.size();
+  mesh.indices.resize(first + 3 * std::size_t(m_result.triangles));
+  std::uint32_t* next = mesh.indices.data() + first;
+  const auto triangle = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    next[0] = a;
+    next[1] = b;
+    next[2] = c;
+    next += 3;
+  };
   for (const Drawn& drawn : m_drawn) {
-    const Square& square = m_squares[drawn.square];
     const std::uint32_t children = drawn.enabled >> 4;
     if (children == 15)
       continue;
+    const Square& square = m_squares[drawn.square];
     const std::uint32_t centre = numberOf(square.vertices[kCentre]);
     for (int s = 0; s < 4; s++) {
       const bool isSplit = (drawn.enabled >> s & 1) != 0;
-      const bool firstCovered = (children >> Sides::previous(s) & 1) != 0,
-                 lastCovered = (children >> s & 1) != 0;
-      if (firstCovered && lastCovered)
+      const bool isFirstCovered = (children >> Sides::previous(s) & 1) != 0;
+      const bool isLastCovered = (children >> s & 1) != 0;
+      if (isFirstCovered && isLastCovered)
         continue;
-      const std::uint32_t middle = isSplit ? numberOf(square.vertices[s]) : 0;
-      if (!firstCovered) {
-        const std::uint32_t first = numberOf(square.corners[Sides::previous(s)]);
-        mesh.indices.insert(mesh.indices.end(),
-                            {centre, first, isSplit ? middle : numberOf(square.corners[s])});
+      if (!isSplit) {
+        triangle(centre, numberOf(square.corners[Sides::previous(s)]), numberOf(square.corners[s]));
+        continue;
       }
-      if (isSplit && !lastCovered)
-        mesh.indices.insert(mesh.indices.end(), {centre, middle, numberOf(square.corners[s])});
+      const std::uint32_t middle = numberOf(square.vertices[s]);
+      if (!isFirstCovered)
+        triangle(centre, numberOf(square.corners[Sides::previous(s)]), middle);
+      if (!isLastCovered)
+        triangle(centre, middle, numberOf(square.corners[s]));
     }
   }
+  assert(next == mesh.indices.data() + mesh.indices.size());
 }

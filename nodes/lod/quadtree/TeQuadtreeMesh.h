@@ -108,6 +108,7 @@ private:
   void enableEdge(std::uint32_t number, int side);
   void testEdge(std::uint32_t number, int side);
   void testChild(std::uint32_t number, int quadrant);
+  bool isGoodEnough(double error, double x0, double x1, double y0, double y1) const;
   bool isTooFar(const Square& square, double error, const TeQuadtreeBox& box);
   void settle(std::uint32_t number);
   void removeSquare(std::uint32_t number);

@@ -30,6 +30,17 @@ public:
     const double x = across(m_x, box.x0, box.x1), y = across(m_y, box.y0, box.y1), z = up(box);
     return x * x + y * y + z * z;
   }
+  /// Not more than the square of the distance of any box over a rectangle, of heights within setRange().
+  double leastDistance2(double x0, double x1, double y0, double y1) const {
+    if (!m_perspective)
+      return 1;
+    const double x = across(m_x, x0, x1), y = across(m_y, y0, y1);
+    return x * x + y * y + m_leastUp2;
+  }
+  void setRange(double low, double high) {
+    const double least = up({0, 0, 0, 0, low, high});
+    m_leastUp2 = least * least;
+  }
   /// The document's: largest of the distances along the axes.
   double maxNorm(const TeQuadtreeBox& box) const {
     if (!m_perspective)
@@ -66,6 +77,7 @@ private:
   double m_spacing = 1, m_heightScale = 1, m_slack = 0;
   double m_focal = 1;  ///< pixels of a unit of height at a distance of a metre
   double m_focal2 = 1; ///< its square, rounded up
+  double m_leastUp2 = 0;
   int m_planeCount = 0;
   Plane m_planes[6] = {}; ///< over the lattice
 };

@@ -177,17 +177,37 @@ TEST(TeQuadtreeLod, KeyTellsWhetherTrianglesChanged) {
   EXPECT_GE(same, 80); // a still camera changes nothing
 }
 
-TEST(TeQuadtreeLod, KeepsItsBudget) {
+TEST(TeQuadtreeLod, UsesItsBudgetWithoutOscillating) {
   std::mt19937 random(8);
-  Terrain terrain(stressMap(StressField::Rough, 128, random), TeLodField::Placement{{}, 10, 1});
+  Terrain terrain(stressMap(StressField::Rough, 256, random), TeLodField::Placement{{}, 10, 1});
   TeLodAccuracy accuracy;
   accuracy.pixelError = 0.01;
-  accuracy.maxTriangles = 3000;
-  terrain.method->select(viewFrom({300, 400, 60}), accuracy);
-  EXPECT_LE(terrain.method->selection().triangles, 3000);
-  EXPECT_GT(terrain.method->selection().triangles, 300);
-  EXPECT_GT(terrain.method->selection().coarsening, 1);
-  EXPECT_GT(terrain.method->selection().errorBound, 0.01);
+  accuracy.maxTriangles = 10000;
+  double coarsening = 0;
+  int switches = 0, frames = 0;
+  for (const bool usesDial : {false, true}) {
+    accuracy.dial = usesDial ? 60000 : 0;
+    for (int frame = 0; frame < 100; frame++) {
+      terrain.method->select(viewFrom({300.0 + 2 * frame, 400.0 + frame, 160}), accuracy);
+      const TeLodSelection& selection = terrain.method->selection();
+      ASSERT_LE(selection.triangles, 10000);
+      ASSERT_GE(selection.triangles, 9500);
+      ASSERT_GT(selection.coarsening, 1);
+      ASSERT_GT(selection.errorBound, 0.01);
+      switches += selection.coarsening != coarsening;
+      coarsening = selection.coarsening;
+      frames++;
+    }
+  }
+  EXPECT_LT(switches, frames / 5);
+  accuracy.dial = 0;
+  accuracy.pixelError = 1000;
+  terrain.method->select(viewFrom({300, 400, 160}), accuracy);
+  EXPECT_EQ(terrain.method->selection().coarsening, 1);
+  accuracy.pixelError = 0;
+  accuracy.maxTriangles = 1;
+  terrain.method->select(viewFrom({300, 400, 160}), accuracy);
+  EXPECT_EQ(terrain.method->selection().triangles, 4); // there is no less
 }
 
 TEST(TeQuadtreeLod, TakesSixteenBytesASampleAndItsMesh) {
