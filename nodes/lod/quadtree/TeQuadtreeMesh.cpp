@@ -71,6 +71,8 @@ const TeQuadtreeMesh::Result& TeQuadtreeMesh::update(const TeLodView& view, cons
   const bool wasMorphed = m_morphed;
   m_morphed = wish.geomorph;
   m_result.errorBound = std::sqrt(m_worst2) + m_worstOffset;
+  if (!(wish.threshold > 0))
+    m_result.errorBound = std::min(m_result.errorBound, wanted); // but for rounding, it is that at most
   m_result.changed = m_morphed || wasMorphed || m_result.enabled + m_result.disabled > 0 || m_frame == 1 ||
                      m_drawn != m_lastDrawn;
   return m_result;
