@@ -70,38 +70,52 @@ private:
   std::vector<std::int32_t> along(std::int32_t start, int edge) {
     std::vector<std::int32_t> strip{start};
     m_used[std::size_t(start)] = 1;
-    const std::int32_t first = m_graph.neighbours(start)[std::size_t(edge)];
-    if (isFree(first)) {
-      extend(strip, first);
-      if (std::int32_t(strip.size()) < m_longest) {
-        std::vector<std::int32_t> back;
-        const std::int32_t behind = bestNeighbour(start);
-        if (behind != kNone)
-          extend(back, behind, std::int32_t(strip.size()));
-        strip.insert(strip.begin(), back.rbegin(), back.rend());
-      }
+    if (isFree(m_graph.neighbours(start)[std::size_t(edge)])) {
+      extend(strip, m_longest, edge);
+      std::vector<std::int32_t> back{start};
+      extend(back, m_longest - std::int32_t(strip.size()) + 1, kNone);
+      strip.insert(strip.begin(), back.rbegin(), back.rend() - 1);
     }
     for (const std::int32_t triangle : strip)
       m_used[std::size_t(triangle)] = 0;
     return strip;
   }
 
-  void extend(std::vector<std::int32_t>& strip, std::int32_t triangle, std::int32_t before = 0) {
-    while (triangle != kNone && std::int32_t(strip.size()) + before < m_longest) {
-      strip.push_back(triangle);
-      m_used[std::size_t(triangle)] = 1;
-      triangle = bestNeighbour(triangle);
+  /// Appends to a strip of one triangle, up to `longest`; first across a given edge, or kNone.
+  void extend(std::vector<std::int32_t>& strip, std::int32_t longest, int firstEdge) {
+    int turn = 0, entry = 0;
+    while (std::int32_t(strip.size()) < longest) {
+      const std::int32_t last = strip.back();
+      const int edge = strip.size() == 1 && firstEdge != kNone ? firstEdge : bestEdge(last, entry, turn);
+      if (edge == kNone)
+        return;
+      turn = (edge - entry + 3) % 3;
+      const std::int32_t next = m_graph.neighbours(last)[std::size_t(edge)];
+      m_used[std::size_t(next)] = 1;
+      strip.push_back(next);
+      const auto& around = m_graph.neighbours(next);
+      entry = int(std::find(around.begin(), around.end(), last) - around.begin());
     }
   }
 
-  std::int32_t bestNeighbour(std::int32_t triangle) const {
-    std::int32_t best = kNone;
-    for (const std::int32_t neighbour : m_graph.neighbours(triangle))
-      if (isFree(neighbour) &&
-          (best == kNone || m_degrees[std::size_t(neighbour)] < m_degrees[std::size_t(best)]))
-        best = neighbour;
+  /// To the neighbour with the fewest free neighbours; of two to that for which the strip, which came in by
+  /// the edge `entry` after a turn, turns left and right by turns: then it takes no swap.
+  int bestEdge(std::int32_t triangle, int entry, int turn) const {
+    const auto& neighbours = m_graph.neighbours(triangle);
+    int best = kNone;
+    for (int edge = 0; edge < 3; edge++) {
+      if (!isFree(neighbours[std::size_t(edge)]))
+        continue;
+      const int more =
+          best == kNone ? -1
+                        : degreeOf(neighbours[std::size_t(edge)]) - degreeOf(neighbours[std::size_t(best)]);
+      if (more < 0 || (more == 0 && (edge - entry + 3) % 3 != turn))
+        best = edge;
+    }
     return best;
   }
+
+  int degreeOf(std::int32_t triangle) const { return m_degrees[std::size_t(triangle)]; }
 
   void use(std::int32_t triangle) {
     m_used[std::size_t(triangle)] = 1;
