@@ -269,6 +269,41 @@ SbBool TeEngine::setFrameRate(double framesPerSecond) {
   return ok ? TRUE : fail({"TeEngine: " + ok.error().message});
 }
 
+SbBool TeEngine::setPixelError(double pixels) {
+  if (!checkSetting(pixels >= 0 && pixels <= kMostPixelError, "a pixel error of " + std::to_string(pixels) +
+                                                                  " is not 0 to " +
+                                                                  std::to_string(kMostPixelError)))
+    return FALSE;
+  m_settings.pixelError = pixels;
+  if (m_runtime)
+    m_runtime->updatePixelError();
+  return TRUE;
+}
+
+SbBool TeEngine::setQualityGoal(double framesPerSecond) {
+  if (!checkSetting(framesPerSecond == 0 || (framesPerSecond >= TeFrameBudget::kLowestRate &&
+                                             framesPerSecond <= TeFrameBudget::kHighestRate),
+                    "a quality goal of " + std::to_string(framesPerSecond) +
+                        " frames a second is neither 0 nor 1 to 1000"))
+    return FALSE;
+  const TeStatus ok = m_settings.quality.setGoal(framesPerSecond > 0 ? kDrawingShare / framesPerSecond : 0);
+  if (!ok)
+    return fail({"TeEngine: " + ok.error().message});
+  m_settings.qualityRate = framesPerSecond;
+  if (m_runtime)
+    m_runtime->updatePixelError();
+  return TRUE;
+}
+
+SbBool TeEngine::setQualityRange(double finest, double coarsest) {
+  const TeStatus ok = m_settings.quality.setRange(finest, coarsest);
+  if (!ok)
+    return fail({"TeEngine: " + ok.error().message});
+  if (m_runtime)
+    m_runtime->updatePixelError();
+  return TRUE;
+}
+
 SbBool TeEngine::setUnitBudget(int units) {
   if (!checkSetting(units >= 0, "a budget of " + std::to_string(units) + " units is below 0"))
     return FALSE;
@@ -340,9 +375,9 @@ bool TeEngine::isMoving() const { return m_runtime && m_runtime->isMoving(); }
 
 bool TeEngine::needsRedraw() const { return m_runtime && m_runtime->needsRedraw(); }
 
-void TeEngine::frameDrawn(double frameSeconds, double drawSeconds) {
+void TeEngine::frameDrawn(double frameSeconds, double drawSeconds, double finishSeconds) {
   if (m_runtime)
-    m_runtime->frameDrawn(frameSeconds, drawSeconds);
+    m_runtime->frameDrawn(frameSeconds, drawSeconds, finishSeconds);
 }
 
 void TeEngine::postKey(const TeKeyEvent& event) {

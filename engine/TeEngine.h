@@ -128,6 +128,18 @@ public:
   /// Wanted frames a second, 1 .. 1000: the budget then adapts to what drawing leaves of a frame
   /// (TeFrameBudget). 0, the default: a fixed budget. At any time.
   SbBool setFrameRate(double framesPerSecond);
+  /// Largest deviation that is wanted of what is drawn from the surface of all samples, in pixels, 0 ..
+  /// kMostPixelError: patches that are far away are then drawn with fewer triangles (TeGridLevels). 0, the
+  /// default: all triangles. Picking, collision and heights stay those of all samples. At any time.
+  SbBool setPixelError(double pixels);
+  /// Wanted frames a second, 1 .. 1000: the pixel error is then chosen so that drawing takes no more than
+  /// kDrawingShare of a frame (TeQuality); it begins with 1. Of the two that share a frame, making terrain
+  /// gives way first: with setFrameRate() its budget is what drawing leaves, at once; the error then gives it
+  /// back what is its own. 0, the default: setPixelError() counts. At any time.
+  SbBool setQualityGoal(double framesPerSecond);
+  /// What a quality goal may choose from, pixels, 0 < finest <= coarsest <= kMostPixelError; TeQuality's
+  /// kFinest to kCoarsest by default. At any time.
+  SbBool setQualityRange(double finest, double coarsest);
   /// Threads that fill source maps; 0 by default, at most kMaxWorkers.
   SbBool setWorkers(int workers);
   /// Of terrain made from now on; by default rock and snow lines that suit the world. At any time.
@@ -151,9 +163,10 @@ public:
   bool isMoving() const;
   /// True if the last tick, or a call since, changed what is seen.
   bool needsRedraw() const;
-  /// The host says that it has drawn a frame: seconds of the wall clock since the frame before, and of CPU
-  /// time for drawing it.
-  void frameDrawn(double frameSeconds, double drawSeconds);
+  /// The host says that it has drawn a frame: seconds of the wall clock since the frame before, of CPU time
+  /// for drawing it, and of the wall clock from the beginning of drawing until OpenGL was done with it; 0 if
+  /// that is not known: a quality goal then goes by the CPU time, and by the frame where it is late.
+  void frameDrawn(double frameSeconds, double drawSeconds, double finishSeconds = 0);
 
   /// Queues a key for the next tick; only once initialised.
   void postKey(const TeKeyEvent& event);
@@ -187,6 +200,9 @@ public:
   static constexpr int kMaxRadius = 64;
   static constexpr int kMaxWorkers = 64;
   static constexpr double kDefaultBudget = TeFrameBudget::kDefault;
+  static constexpr double kMostPixelError = TeQuality::kMostPixels;
+  /// Of a frame. The rest is for making terrain, and TeFrameBudget::kMargin.
+  static constexpr double kDrawingShare = 0.75;
 
 private:
   friend class TePatch;

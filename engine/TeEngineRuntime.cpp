@@ -18,6 +18,8 @@ constexpr double kAnchorShare = 0.25;
 constexpr double kForget = 0.95;
 /// No unit is to take longer, at 65 samples.
 constexpr double kLongestUnit = 0.00025;
+/// A frame that takes longer by this factor than it is to take did not just wait for the display.
+constexpr double kLate = 1.1;
 constexpr std::size_t kAnchorBytes = 1 << 18; ///< where work is counted in units
 
 void keepLargest(TeStatistics::Memory& peak, const TeStatistics::Memory& now) {
@@ -76,6 +78,7 @@ TeStatus TeEngineRuntime::start() {
   if (!ground)
     return ground.error();
   m_terrain.setColours(m_settings.colours ? *m_settings.colours : coloursOf(**ground));
+  updatePixelError();
   if (const TeStatus ok = m_terrain.build(*key); !ok)
     return ok;
   m_settings.sceneRoot->addChild(m_scene.root());
@@ -97,6 +100,15 @@ TeStatus TeEngineRuntime::start() {
 }
 
 void TeEngineRuntime::setRadius(int radius) { m_terrain.setRadius(radius); }
+
+void TeEngineRuntime::updatePixelError() {
+  const TeQuality& quality = m_settings.quality;
+  const double pixels = quality.governs() ? quality.pixelError() : m_settings.pixelError;
+  m_changed = m_changed || pixels != m_statistics.pixelError;
+  m_scene.drawing()->setPixelError(pixels);
+  m_statistics.pixelError = pixels;
+  m_statistics.frameGoalSeconds = quality.governs() ? 1 / m_settings.qualityRate : 0;
+}
 
 void TeEngineRuntime::setWireframe(bool wireframe) {
   m_wireframe = wireframe;
@@ -124,6 +136,7 @@ TeStatus TeEngineRuntime::tick(double dt) {
   m_ticking = true;
   closeTick();
   const bool wasIdle = isIdle();
+  m_errorChanged = false;
   const double begin = teThreadCpuSeconds();
   handleKeys();
   simulate(m_paused ? 0 : dt);
@@ -153,8 +166,10 @@ void TeEngineRuntime::closeTick() {
   if (!std::exchange(m_tickOpen, false))
     return;
   const TeMeshDrawing::Frame& frame = m_scene.drawing()->frame();
-  m_statistics.drawing = {frame.meshesDrawn, frame.meshesCulled,  frame.triangles,
-                          frame.uploads,     frame.bytesUploaded, frame.uploadSeconds};
+  m_statistics.drawing = {
+      frame.meshesDrawn,   frame.meshesCulled,          frame.triangles, frame.uploads, frame.bytesUploaded,
+      frame.uploadSeconds, m_statistics.drawing.seconds};
+  m_statistics.errorBoundPixels = frame.errorBound;
   m_statistics.tickSeconds += frame.uploadSeconds;
   m_statistics.worstTickSeconds = std::max(m_statistics.worstTickSeconds, m_statistics.tickSeconds);
   if (m_statistics.tickSeconds > m_statistics.budgetSeconds)
@@ -162,12 +177,29 @@ void TeEngineRuntime::closeTick() {
   m_settings.budget.tickDone(m_statistics.tickSeconds, m_longestUnit);
 }
 
-void TeEngineRuntime::frameDrawn(double frameSeconds, double drawSeconds) {
+void TeEngineRuntime::frameDrawn(double frameSeconds, double drawSeconds, double finishSeconds) {
   closeTick();
   m_changed = false;
   ++m_statistics.redraws;
   m_statistics.frameSeconds = frameSeconds;
   m_settings.budget.frameDrawn(frameSeconds, drawSeconds);
+  if (m_settings.quality.governs())
+    steerQuality(frameSeconds, drawSeconds, finishSeconds);
+}
+
+/// By what drawing takes, without making terrain and its uploads: what these may take depends on drawing, so
+/// the error must not depend on them.
+void TeEngineRuntime::steerQuality(double frameSeconds, double drawSeconds, double finishSeconds) {
+  double seconds = drawSeconds;
+  if (finishSeconds > 0)
+    seconds = finishSeconds;
+  else if (frameSeconds > kLate * m_statistics.frameGoalSeconds)
+    seconds = std::max(drawSeconds, frameSeconds - m_statistics.tickSeconds);
+  seconds = std::max(seconds - m_statistics.drawing.uploadSeconds, 0.0);
+  m_statistics.drawing.seconds = seconds;
+  m_settings.quality.frameDrawn(seconds);
+  m_errorChanged = m_settings.quality.pixelError() != m_statistics.pixelError;
+  updatePixelError();
 }
 
 void TeEngineRuntime::handleKeys() {
@@ -381,7 +413,7 @@ void TeEngineRuntime::finishJobs() {
 }
 
 bool TeEngineRuntime::isMoving() const {
-  return (!m_paused && m_objects.anyAwake()) || !m_keys.empty() || m_rig.moving();
+  return (!m_paused && m_objects.anyAwake()) || !m_keys.empty() || m_rig.moving() || m_errorChanged;
 }
 
 bool TeEngineRuntime::isIdle() const { return !isMoving() && m_terrain.idle(); }

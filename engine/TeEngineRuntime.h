@@ -29,12 +29,14 @@ public:
   TeStatus tick(double dt);
   /// Nothing is done if an object's update or a job's step calls it.
   void finishJobs();
-  void frameDrawn(double frameSeconds, double drawSeconds);
+  void frameDrawn(double frameSeconds, double drawSeconds, double finishSeconds);
 
   void addObject(TeObject& object);
   /// Before the object is deleted.
   void removeObject(const TeObject& object);
   void setRadius(int radius);
+  /// Takes the wanted error over from the settings.
+  void updatePixelError();
   void setWireframe(bool wireframe);
   bool isWireframe() const { return m_wireframe; }
   void setPaused(bool paused) { m_paused = paused; }
@@ -51,6 +53,7 @@ public:
 
 private:
   void closeTick();
+  void steerQuality(double frameSeconds, double drawSeconds, double finishSeconds);
   void handleKeys();
   void handleKey(const TeKeyEvent& event);
   void simulate(double dt);
@@ -82,9 +85,10 @@ private:
   bool m_paused = false;
   bool m_wireframe = false;
   bool m_changed = true;
-  double m_after = 0;         ///< seconds that ticks take after their slice, lately
-  double m_longestUnit = 0;   ///< seconds, of the last tick
-  bool m_wasComplete = false; ///< the block, since the start or the last jump
+  bool m_errorChanged = false; ///< by the quality goal, since the last tick
+  double m_after = 0;          ///< seconds that ticks take after their slice, lately
+  double m_longestUnit = 0;    ///< seconds, of the last tick
+  bool m_wasComplete = false;  ///< the block, since the start or the last jump
   bool m_ticking = false;
   bool m_inside = false;   ///< of an object's update or a job's step
   bool m_tickOpen = false; ///< the uploads that the last tick led to are not counted yet

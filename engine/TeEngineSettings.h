@@ -2,6 +2,7 @@
 
 #include "engine/budget/TeFrameBudget.h"
 #include "engine/input/TeKeyEvent.h"
+#include "engine/quality/TeQuality.h"
 #include "nodes/TeNodePtr.h"
 #include "nodes/TeSurfaceColours.h"
 #include "patchdb/TePatchKey.h"
@@ -32,7 +33,10 @@ struct TeEngineSettings {
   std::optional<TeSurfaceColours> colours;
   int radius = 1;
   TeFrameBudget budget;
-  int unitBudget = 0; ///< work units a tick; 0 = time
+  int unitBudget = 0;     ///< work units a tick; 0 = time
+  double pixelError = 0;  ///< as long as no quality goal is set
+  double qualityRate = 0; ///< frames a second; 0 = no goal
+  TeQuality quality;
   int workers = 0;
   PatchCallback patchReady;
   PatchCallback patchDropped;

@@ -37,6 +37,7 @@ struct TeStatistics {
     std::int64_t uploads = 0;
     std::int64_t bytesUploaded = 0;
     double uploadSeconds = 0;
+    double seconds = 0; ///< that drawing took without uploads; only with a quality goal
   };
   struct Memory { ///< bytes now
     std::size_t maps = 0;
@@ -62,10 +63,13 @@ struct TeStatistics {
   /// Of these, those after the block had been complete once, at the start or since the last jump.
   std::int64_t framesWithMissingLater = 0;
   std::int64_t ticksUntilComplete = 0; ///< from the start or the last jump to the complete block, or to now
-  std::int64_t objectsHeld = 0; ///< updates that were left out for want of ground
-  std::int64_t redraws = 0;     ///< frames in which something had changed
-  double heightAboveGround = 0; ///< of the active object; NaN if the ground is not known
-  double errorBoundPixels = 0;  ///< of what is drawn, against the surface of the base level
+  std::int64_t objectsHeld = 0;        ///< updates that were left out for want of ground
+  std::int64_t redraws = 0;            ///< frames in which something had changed
+  double heightAboveGround = 0;        ///< of the active object; NaN if the ground is not known
+  /// Of what was drawn last, against the surface of the base level: no sample deviates by more.
+  double errorBoundPixels = 0;
+  double pixelError = 0;       ///< that is wanted
+  double frameGoalSeconds = 0; ///< of the wall clock; 0 = no quality goal
   Jobs jobs;
   Patches patches;
   Drawing drawing;

@@ -60,6 +60,10 @@ void TeEngineLog::drawn(const TeEngine& engine) {
   const TeStatistics& statistics = engine.getStatistics();
   if (std::exchange(m_tickOpen, false))
     m_tickMilliseconds.push_back(float(1000 * statistics.tickSeconds));
+  m_errorBound = std::max(m_errorBound, statistics.errorBoundPixels);
+  m_leastError = m_frames > 0 ? std::min(m_leastError, statistics.pixelError) : statistics.pixelError;
+  m_mostError = std::max(m_mostError, statistics.pixelError);
+  ++m_frames;
   m_uploads += statistics.drawing.uploads;
   m_uploadedBytes += statistics.drawing.bytesUploaded;
   m_uploadSeconds += statistics.drawing.uploadSeconds;
@@ -86,6 +90,11 @@ void TeEngineLog::describe(const TeEngine& engine, Json& report) const {
   report["updates_held"] = statistics.objectsHeld;
   report["teleports"] = {{"count", m_teleports}, {"most_ticks_until_ground", m_mostTicksUntilGround}};
   report["redraws"] = statistics.redraws;
+  report["triangles"] = statistics.drawing.triangles;
+  report["pixel_error"] = statistics.pixelError;
+  report["pixel_error_range"] = {m_leastError, m_mostError};
+  report["error_bound"] = m_errorBound;
+  report["frame_goal_ms"] = 1000 * statistics.frameGoalSeconds;
   report["jobs"] = describeJobs(statistics.jobs);
   const TeStatistics::Patches& patches = statistics.patches;
   report["patches"] = {{"resident", patches.resident},

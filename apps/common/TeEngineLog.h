@@ -33,6 +33,10 @@ private:
   std::int64_t m_uploads = 0;
   std::int64_t m_uploadedBytes = 0;
   double m_uploadSeconds = 0;
+  double m_errorBound = 0; ///< the largest of all frames
+  double m_leastError = 0; ///< wanted
+  double m_mostError = 0;
+  std::int64_t m_frames = 0;
   // Jumps of the active object.
   bool m_known = false;
   glm::dvec3 m_position{0};

@@ -25,8 +25,16 @@ void TeEngineOptions::addTo(TeCommandLine& commandLine) {
       ->excludes(time)
       ->group(engine);
   commandLine
-      .addNumber("--fps", fps, 1, 1000, "Wanted frames a second, to which the budget adapts (default: none)")
+      .addNumber("--fps", fps, 1, 1000,
+                 "Wanted frames a second, to which the budget and the pixel error adapt; not with --dt "
+                 "(default: none)")
       ->excludes("--units")
+      ->group(engine);
+  commandLine
+      .addNumber("--pixel-error", pixelError, kLeastPixelError, TeEngine::kMostPixelError,
+                 "Pixels that what is drawn may deviate from all samples; with --fps the least "
+                 "(default: 0, or with --fps 0.5)")
+      ->option_text("PX")
       ->group(engine);
   commandLine
       .addInteger("--workers", workers, 0, TeEngine::kMaxWorkers,
@@ -69,6 +77,15 @@ TeStatus TeEngineOptions::check(const TeCommonOptions& common) const {
   if (units != 0 && common.dt == 0)
     return TeError{"--units needs --dt: without it time decides"};
   return terrain.check();
+}
+
+SbBool TeEngineOptions::apply(TeEngine& engine, const TeCommonOptions& common) const {
+  const double rate = common.dt > 0 ? 0 : fps;
+  const double finest = pixelError > 0 ? pixelError : TeQuality::kFinest;
+  return engine.setBudget(budget / 1000) && engine.setUnitBudget(unitBudget(common)) &&
+         engine.setFrameRate(rate) && engine.setPixelError(pixelError) &&
+         engine.setQualityRange(finest, std::max(finest, TeQuality::kCoarsest)) &&
+         engine.setQualityGoal(rate);
 }
 
 int TeEngineOptions::unitBudget(const TeCommonOptions& common) const {

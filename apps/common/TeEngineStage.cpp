@@ -43,9 +43,7 @@ TeStatus TeEngineStage::createEngine(const TeEngineOptions& options, const TeCom
   const bool good =
       engine.isValid() && engine.setGenerator(std::make_unique<TeSourceGenerator>(made->source)) &&
       engine.setSeed(common.seed) && engine.setBlending(options.terrain.blending) &&
-      engine.setRadius(options.radius) && engine.setBudget(options.budget / 1000) &&
-      engine.setUnitBudget(options.unitBudget(common)) &&
-      engine.setFrameRate(common.dt > 0 ? 0 : options.fps) && engine.setWorkers(options.workers);
+      engine.setRadius(options.radius) && options.apply(engine, common) && engine.setWorkers(options.workers);
   return good ? TeStatus() : TeError{engine.lastError()};
 }
 

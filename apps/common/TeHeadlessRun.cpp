@@ -75,13 +75,14 @@ private:
     if (const TeStatus ok = m_renderer->draw(&m_session.stage().all()); !ok)
       return ok;
     ++m_drawn;
-    m_drawSeconds += wallSeconds() - begin;
+    const double finishSeconds = wallSeconds() - begin;
+    m_drawSeconds += finishSeconds;
     // Frames of a run that repeats have the time that they simulate: what the HUD shows repeats, too.
     const double dt = m_session.common().dt;
     if (dt > 0)
       m_session.engine().frameDrawn(dt, 0);
     else
-      m_session.engine().frameDrawn(begin - m_lastFrame, teThreadCpuSeconds() - before);
+      m_session.engine().frameDrawn(begin - m_lastFrame, teThreadCpuSeconds() - before, finishSeconds);
     m_lastFrame = begin;
     m_session.log().drawn(m_session.engine());
     return {};

@@ -30,8 +30,8 @@ public:
     m_loop.start();
   }
   void resized(int width, int height) override { m_session.stage().setSize(width, height); }
-  void drawn(double frameSeconds, double drawSeconds) override {
-    m_loop.frameDrawn(frameSeconds, drawSeconds);
+  void drawn(double frameSeconds, double drawSeconds, double finishSeconds) override {
+    m_loop.frameDrawn(frameSeconds, drawSeconds, finishSeconds);
     m_session.log().drawn(m_session.engine());
   }
   void keysLost() override { m_loop.releaseKeys(); }

@@ -99,8 +99,10 @@ std::string TePlot::script(const std::string& terminal, const std::string& outpu
       continue;
     const std::string block = "$curve" + std::to_string(i);
     text += block + " << END\n" + points + "END\n";
-    curveList += (curveList.empty() ? "" : ", ") + block + " with linespoints linewidth 2 pointtype " +
-                 std::to_string(5 + 2 * i % 10) + " title " + quoted(curve.name);
+    curveList += (curveList.empty() ? "" : ", ") + block +
+                 (markers ? " with linespoints linewidth 2 pointtype " + std::to_string(5 + 2 * i % 10)
+                          : std::string(" with lines linewidth 2")) +
+                 " title " + quoted(curve.name);
   }
   text += xs.range("x") + ys.range("y");
   return curveList.empty() ? std::string() : text + "plot " + curveList + "\n";

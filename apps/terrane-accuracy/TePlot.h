@@ -19,6 +19,7 @@ struct TePlot {
   bool logX = true; ///< points that are not positive are left out
   bool logY = true;
   std::vector<Curve> curves;
+  bool markers = true; ///< at the points
 
   /// The text that gnuplot reads, with its data in itself. `terminal`: "svg" or "png".
   std::string script(const std::string& terminal, const std::string& output) const;

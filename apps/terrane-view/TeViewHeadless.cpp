@@ -41,7 +41,8 @@ TeStatus drawFrames(TeViewSession& session, TeContext& context) {
     const double begin = wallSeconds();
     if (const TeStatus ok = (*renderer)->draw(&session.stage().all()); !ok)
       return ok;
-    session.drawn(wallSeconds() - begin);
+    const double seconds = wallSeconds() - begin;
+    session.drawn(seconds, seconds);
     progress.update(double(frame + 1) / frames);
   }
   for (int frame = 0; frame < kMostWaiting && session.nodes().areLoading(); ++frame)

@@ -90,6 +90,13 @@ void TeViewOptions::addTerrain(TeCommandLine& commandLine) {
       ->option_text("PX")
       ->excludes("--precision")
       ->group(group);
+  commandLine
+      .addNumber(
+          "--fps", fps, 1, 1000,
+          "Wanted frames a second, for which the error on the screen is chosen, --pixel-error or more; "
+          "not with --dt (default: none)")
+      ->excludes("--precision")
+      ->group(group);
   cli.add_flag("--geomorph", geomorph, "Levels change smoothly")->group(group);
   cli.add_flag("--classic", classic, "One draw call a part, no instancing")->group(group);
   cli.add_option("--coloring", colouring,

@@ -30,6 +30,7 @@ struct TeViewOptions {
   int levels = 3;
   std::optional<double> precision;
   std::optional<double> pixelError;
+  double fps = 0; ///< wanted frames a second, for which the error is chosen; 0 = none
   bool geomorph = false;
   bool classic = false;
   std::string colouring;            ///< plain, texture, detail or height; empty = as suits

@@ -3,6 +3,15 @@
 #include "apps/common/TeScreenshots.h"
 #include "apps/terrane-view/TeViewText.h"
 
+#include <algorithm>
+
+namespace {
+
+/// Of a frame; the rest is a margin, so that few frames are late.
+constexpr double kDrawingShare = 0.9;
+
+} // namespace
+
 TeResult<std::unique_ptr<TeViewSession>> TeViewSession::create(const TeViewOptions& options,
                                                                const TeCommonOptions& common) {
   std::unique_ptr<TeViewSession> session(new TeViewSession(options, common));
@@ -17,6 +26,8 @@ TeResult<std::unique_ptr<TeViewSession>> TeViewSession::create(const TeViewOptio
   session->m_stage = std::make_unique<TeViewStage>(session->m_content, options, common);
   session->m_nodes = std::make_unique<TeSeamlessNodes>(session->m_content.root.get(), options);
   session->m_controls = std::make_unique<TeViewControls>(options, *session->m_nodes);
+  if (const TeStatus ok = session->startQuality(); !ok)
+    return ok.error();
   session->m_stage->hud().setHelp(teViewHelp());
   session->advance(0);
   return session;
@@ -48,7 +59,32 @@ void TeViewSession::heard(const TeKeyEvent& event) {
     m_flight->camera()->handleKey(event);
 }
 
-void TeViewSession::drawn(double seconds) {
+/// Runs that repeat do not go by the clock.
+TeStatus TeViewSession::startQuality() {
+  if (m_options.fps == 0 || m_common.dt > 0 || !m_nodes->any())
+    return {};
+  const double finest = m_options.pixelError.value_or(TeQuality::kFinest);
+  if (const TeStatus ok =
+          m_quality.setRange(std::min(finest, TeQuality::kMostPixels),
+                             std::clamp(finest, TeQuality::kCoarsest, TeQuality::kMostPixels));
+      !ok)
+    return ok;
+  if (const TeStatus ok = m_quality.setGoal(kDrawingShare / m_options.fps); !ok)
+    return ok;
+  m_nodes->setPixelError(m_quality.pixelError());
+  return {};
+}
+
+void TeViewSession::steerQuality(double finishSeconds) {
+  if (!m_quality.governs())
+    return;
+  m_quality.frameDrawn(finishSeconds);
+  if (m_quality.pixelError() != m_nodes->pixelError())
+    m_nodes->setPixelError(m_quality.pixelError());
+}
+
+void TeViewSession::drawn(double seconds, double finishSeconds) {
+  steerQuality(finishSeconds);
   if (!m_common.report.empty()) // the log grows with every frame
     m_log.add(seconds, m_nodes->statistics());
   if (m_common.dt == 0)

@@ -5,6 +5,7 @@
 #include "apps/terrane-view/TeViewFlight.h"
 #include "apps/terrane-view/TeViewLog.h"
 #include "apps/terrane-view/TeViewStage.h"
+#include "engine/quality/TeQuality.h"
 
 #include <memory>
 
@@ -26,8 +27,8 @@ public:
   /// Moves on by so many seconds and brings all nodes up to date.
   void advance(double dt);
   void heard(const TeKeyEvent& event);
-  /// A frame was drawn.
-  void drawn(double seconds);
+  /// A frame was drawn: seconds to be shown, and those from the beginning of drawing until OpenGL was done.
+  void drawn(double seconds, double finishSeconds);
   bool ended() const { return m_ended; }
   /// True once after F12.
   bool takePictureWanted() { return std::exchange(m_pictureWanted, false); }
@@ -39,6 +40,8 @@ private:
   TeViewSession(const TeViewOptions& options, const TeCommonOptions& common)
       : m_options(options), m_common(common) {}
   void updateText();
+  TeStatus startQuality();
+  void steerQuality(double finishSeconds);
 
   const TeViewOptions& m_options;
   const TeCommonOptions& m_common;
@@ -49,6 +52,7 @@ private:
   std::unique_ptr<TeViewFlight> m_flight;
   TeViewLog m_log;
   double m_frameSeconds = 0; ///< of the last one; stays 0 in runs that repeat
+  TeQuality m_quality;       ///< has a goal only with --fps
   bool m_ended = false;
   bool m_pictureWanted = false;
 };

@@ -49,9 +49,9 @@ public:
     m_session.stage().setSize(width, height);
     wake();
   }
-  void drawn(double frameSeconds, double drawSeconds) override {
+  void drawn(double frameSeconds, double drawSeconds, double finishSeconds) override {
     // The time of a rest says nothing about drawing.
-    m_session.drawn(m_rested ? drawSeconds : frameSeconds);
+    m_session.drawn(m_rested ? drawSeconds : frameSeconds, finishSeconds);
     if (m_session.nodes().areLoading())
       wake(); // for the text's sake; the nodes themselves ask for frames
     m_rested = !m_alarm.isScheduled();

@@ -13,6 +13,23 @@ namespace {
 /// To one decimal, and never "-0.0".
 double tenths(double value) { return std::round(10 * value) / 10 + 0.0; }
 
+/// Three digits together: 1,234,567.
+std::string grouped(std::int64_t number) {
+  std::string digits = std::to_string(number);
+  for (int place = int(digits.size()) - 3; place > 0; place -= 3)
+    digits.insert(std::size_t(place), ",");
+  return digits;
+}
+
+/// What the accuracy costs.
+std::string accuracyLine(const TeStatistics& statistics) {
+  const std::string cost = statistics.drawing.seconds > 0
+                               ? teFormat("   drawing  %.1f ms", 1000 * statistics.drawing.seconds)
+                               : "";
+  return teFormat("detail    %.2f px wanted   ", statistics.pixelError) +
+         grouped(statistics.drawing.triangles) + " triangles" + cost;
+}
+
 } // namespace
 
 std::vector<std::string> teHudLines(const TeObject& object, const TeStatistics& statistics) {
@@ -29,10 +46,14 @@ std::vector<std::string> teHudLines(const TeObject& object, const TeStatistics& 
                       : teFormat("height    %.1f m above ground", tenths(statistics.heightAboveGround)));
   for (std::string& line : object.hudLines())
     lines.push_back(std::move(line));
-  lines.push_back(teFormat("frame     %.1f ms   budget  %.1f ms", 1000 * statistics.frameSeconds,
-                           1000 * statistics.budgetSeconds));
+  const std::string goal =
+      statistics.frameGoalSeconds > 0 ? teFormat(" of %.1f", 1000 * statistics.frameGoalSeconds) : "";
+  lines.push_back(teFormat("frame     %.1f", 1000 * statistics.frameSeconds) + goal +
+                  teFormat(" ms   budget  %.1f ms", 1000 * statistics.budgetSeconds));
   lines.push_back(teFormat("patches   %lld of %lld drawn   error  %.2f px",
                            (long long)statistics.patches.drawn, (long long)statistics.patches.block,
                            statistics.errorBoundPixels));
+  if (statistics.pixelError > 0)
+    lines.push_back(accuracyLine(statistics));
   return lines;
 }

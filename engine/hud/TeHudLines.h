@@ -7,6 +7,6 @@ class TeObject;
 struct TeStatistics;
 
 /// What the HUD says of an active object and the engine: position, velocity, height above ground, the
-/// object's own lines, frame time, patches, error bound. Numbers are rounded so that equal states give equal
-/// lines.
+/// object's own lines, frame time, patches, error bound; with a pixel error, what it is and what it costs.
+/// Numbers are rounded so that equal states give equal lines.
 std::vector<std::string> teHudLines(const TeObject& object, const TeStatistics& statistics);

@@ -62,9 +62,10 @@ void TeEngineLoop::wake() {
   m_next.schedule();
 }
 
-void TeEngineLoop::frameDrawn(double frameSeconds, double drawSeconds) {
+void TeEngineLoop::frameDrawn(double frameSeconds, double drawSeconds, double finishSeconds) {
   // The time of a rest says nothing about the machine.
-  m_engine.frameDrawn(std::exchange(m_frameRested, false) ? m_interval : frameSeconds, drawSeconds);
+  m_engine.frameDrawn(std::exchange(m_frameRested, false) ? m_interval : frameSeconds, drawSeconds,
+                      finishSeconds);
   if (!m_engine.isIdle())
     wake();
 }

@@ -60,7 +60,7 @@ public:
   /// Something that the loop cannot see has changed, such as an object's velocity.
   void wake();
   /// A frame was drawn; passed on to the engine, which may have more to do for it.
-  void frameDrawn(double frameSeconds, double drawSeconds);
+  void frameDrawn(double frameSeconds, double drawSeconds, double finishSeconds = 0);
   /// Lets go of all held keys, as when the window loses them.
   void releaseKeys();
 

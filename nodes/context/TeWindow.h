@@ -30,9 +30,10 @@ public:
   virtual void opened(TeWindow& /*window*/) {}
   /// Pixels; also before the first frame.
   virtual void resized(int /*width*/, int /*height*/) {}
-  /// A frame was drawn: seconds of the wall clock since the frame before (0 for the first), and of this
-  /// thread's CPU time for drawing it.
-  virtual void drawn(double /*frameSeconds*/, double /*drawSeconds*/) {}
+  /// A frame was drawn: seconds of the wall clock since the frame before (0 for the first), of this thread's
+  /// CPU time for drawing it, and of the wall clock until OpenGL was done with it (0 for frames before the
+  /// window has settled).
+  virtual void drawn(double /*frameSeconds*/, double /*drawSeconds*/, double /*finishSeconds*/) {}
   /// The window lost the keyboard: keys that are held will not be heard to go up.
   virtual void keysLost() {}
 };

@@ -1,6 +1,7 @@
 #include "nodes/terrain/SoTeTerrainMesh.h"
 
 #include "nodes/terrain/SoTeTerrainDetail.h"
+#include "nodes/terrain/TeLevelErrors.h"
 #include "nodes/terrain/TeMeshVertices.h"
 
 #include <Inventor/SbLine.h>
@@ -19,6 +20,8 @@
 
 #include <glm/common.hpp>
 
+#include <algorithm>
+#include <cassert>
 #include <limits>
 
 SO_NODE_SOURCE(SoTeTerrainMesh)
@@ -51,6 +54,9 @@ void SoTeTerrainMesh::setMesh(TePatchMeshPtr mesh, std::vector<std::uint32_t> co
   if (!m_mesh || m_colours.size() != m_mesh->positions.size())
     m_colours.clear();
   m_triangles = m_mesh ? teTriangleCount(*m_mesh) : 0;
+  m_errors.clear();
+  m_levels = nullptr;
+  m_level = 0;
   if (!isEmpty())
     findBox();
   touch();
@@ -60,6 +66,44 @@ void SoTeTerrainMesh::copyContents(const SoFieldContainer* from, SbBool copyConn
   inherited::copyContents(from, copyConnections);
   const auto* other = static_cast<const SoTeTerrainMesh*>(from);
   setMesh(other->m_mesh, other->m_colours, other->m_drawing);
+  m_errors = other->m_errors;
+  m_levels = other->m_levels;
+}
+
+void SoTeTerrainMesh::setLevelErrors(std::vector<float> errors) {
+  m_levels = m_drawing->gridLevels(m_mesh->columns, m_mesh->rows);
+  assert(int(errors.size()) == m_levels->count() + 1);
+  m_errors = std::move(errors);
+}
+
+bool SoTeTerrainMesh::findErrors() {
+  if (m_errors.empty() && !teIsWholeGrid(*m_mesh))
+    m_errors = {0};
+  if (m_errors.empty() && m_drawing->mayFindErrors(m_mesh->positions.size())) {
+    TeLevelErrors errors(*m_mesh, m_drawing->gridLevels(m_mesh->columns, m_mesh->rows));
+    TeAllowance all = TeAllowance::unlimited();
+    errors.step(all);
+    setLevelErrors(errors.take());
+  }
+  return m_errors.size() > 1;
+}
+
+int SoTeTerrainMesh::chooseLevel(SoState* state) {
+  const double wanted = m_drawing->pixelError();
+  TeMeshEye& eye = m_drawing->m_eye;
+  if (!(wanted > 0) || !findErrors() || !eye.update(state))
+    return 0;
+  const double distance = eye.distance(box());
+  const auto pixels = [&](int level) { return eye.pixels(double(m_errors[std::size_t(level)]), distance); };
+  int coarsest = m_levels->count();
+  while (pixels(coarsest) > wanted)
+    --coarsest;
+  int level = coarsest;
+  while (level > m_level && kSwitch * pixels(level) > wanted)
+    --level;
+  double& bound = m_drawing->m_frame.errorBound;
+  bound = std::max(bound, pixels(level));
+  return level;
 }
 
 void SoTeTerrainMesh::findBox() {
@@ -116,11 +160,14 @@ void SoTeTerrainMesh::GLRender(SoGLRenderAction* action) {
   if (shouldGLRender(action)) {
     SoMaterialBundle materials(action);
     materials.sendFirst();
-    buffers.draw(*mesh, hasColours);
+    m_level = chooseLevel(state);
+    if (m_level > 0)
+      m_drawing->prepareLevel(buffers, *mesh, *m_levels, m_level);
+    buffers.draw(*mesh, hasColours, m_level);
     if (hasColours)
       SoGLLazyElement::getInstance(state)->reset(state, SoLazyElement::DIFFUSE_MASK);
     m_drawing->m_frame.meshesDrawn++;
-    m_drawing->m_frame.triangles += m_triangles;
+    m_drawing->m_frame.triangles += m_level > 0 ? m_levels->triangles(m_level) : m_triangles;
   }
   state->pop();
 }

@@ -62,11 +62,41 @@ TeMeshBuffers::Mesh& TeMeshBuffers::add(const void* node, const TePatchMesh& mes
     return buffers;
   }
   buffers.grid = {mesh.columns, mesh.rows};
-  Indices& shared = m_grids[buffers.grid];
-  if (shared.uses++ == 0)
-    shared.buffer = makeIndices(mesh, buffers.indexType, shared.bytes);
-  buffers.indices = shared.buffer;
+  Grid& shared = m_grids[buffers.grid];
+  if (shared.uses++ == 0) {
+    Indices& all = shared.levels.emplace_back();
+    all.buffer = makeIndices(mesh, buffers.indexType, all.bytes);
+    all.count = buffers.indexCount;
+  }
+  buffers.indices = shared.levels.front().buffer;
   return buffers;
+}
+
+bool TeMeshBuffers::hasLevel(const Mesh& buffers, int level) const {
+  if (level == 0)
+    return true;
+  const auto grid = m_grids.find(buffers.grid);
+  return grid != m_grids.end() && std::size_t(level) < grid->second.levels.size() &&
+         grid->second.levels[std::size_t(level)].buffer != 0;
+}
+
+std::size_t TeMeshBuffers::addLevel(const Mesh& buffers, const TeGridLevels& levels, int level) {
+  assert(buffers.ownIndexBytes == 0 && level >= 1 && level <= levels.count() && !hasLevel(buffers, level));
+  std::vector<Indices>& made = m_grids.find(buffers.grid)->second.levels;
+  if (made.size() <= std::size_t(level))
+    made.resize(std::size_t(level) + 1);
+  Indices& indices = made[std::size_t(level)];
+  const std::vector<std::uint32_t>& wide = levels.indices(level);
+  indices.count = GLsizei(wide.size());
+  if (buffers.indexType == GL_UNSIGNED_SHORT) {
+    const std::vector<std::uint16_t> narrow(wide.begin(), wide.end());
+    indices.bytes = narrow.size() * sizeof(std::uint16_t);
+    indices.buffer = makeBuffer(narrow.data(), indices.bytes);
+  } else {
+    indices.bytes = wide.size() * sizeof(std::uint32_t);
+    indices.buffer = makeBuffer(wide.data(), indices.bytes);
+  }
+  return indices.bytes;
 }
 
 void TeMeshBuffers::setAnchor(Mesh& buffers, const TePatchMesh& mesh, glm::dvec2 anchor) {
@@ -95,7 +125,14 @@ void TeMeshBuffers::dropNextAnchor(Mesh& buffers) {
   buffers.nextPositions = 0;
 }
 
-void TeMeshBuffers::draw(const Mesh& buffers, bool withColours) const {
+void TeMeshBuffers::draw(const Mesh& buffers, bool withColours, int level) const {
+  GLuint indices = buffers.indices;
+  GLsizei count = buffers.indexCount;
+  if (level > 0) {
+    const Indices& coarser = m_grids.find(buffers.grid)->second.levels[std::size_t(level)];
+    indices = coarser.buffer;
+    count = coarser.count;
+  }
   m_gl.pushClientAttrib(GL_CLIENT_VERTEX_ARRAY_BIT);
   // A neighbour's own vertex array object would take what follows.
   if (m_gl.bindVertexArray)
@@ -104,7 +141,7 @@ void TeMeshBuffers::draw(const Mesh& buffers, bool withColours) const {
   m_gl.vertexPointer(3, GL_FLOAT, sizeof(glm::vec3), nullptr);
   m_gl.bindBuffer(GL_ARRAY_BUFFER, buffers.attributes);
   m_gl.normalPointer(GL_SHORT, sizeof(TeVertexAttributes), offset(offsetof(TeVertexAttributes, normal)));
-  m_gl.bindBuffer(GL_ELEMENT_ARRAY_BUFFER, buffers.indices);
+  m_gl.bindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
   m_gl.enableClientState(GL_VERTEX_ARRAY);
   m_gl.enableClientState(GL_NORMAL_ARRAY);
   if (withColours) {
@@ -114,7 +151,7 @@ void TeMeshBuffers::draw(const Mesh& buffers, bool withColours) const {
   } else {
     m_gl.disableClientState(GL_COLOR_ARRAY);
   }
-  m_gl.drawElements(GL_TRIANGLES, buffers.indexCount, buffers.indexType, nullptr);
+  m_gl.drawElements(GL_TRIANGLES, count, buffers.indexType, nullptr);
   m_gl.popClientAttrib();
 }
 
@@ -142,7 +179,9 @@ void TeMeshBuffers::retireIndices(const Mesh& buffers) {
   const auto grid = m_grids.find(buffers.grid);
   if (--grid->second.uses > 0)
     return;
-  m_retired.emplace_back(grid->second.buffer, grid->second.bytes);
+  for (const Indices& level : grid->second.levels)
+    if (level.buffer)
+      m_retired.emplace_back(level.buffer, level.bytes);
   m_grids.erase(grid);
 }
 

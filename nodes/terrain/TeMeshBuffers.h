@@ -1,5 +1,6 @@
 #pragma once
 
+#include "nodes/terrain/TeGridLevels.h"
 #include "nodes/terrain/TeMeshGl.h"
 #include "patchdb/TePatchMesh.h"
 
@@ -60,9 +61,17 @@ public:
   void useNextAnchor(Mesh& buffers);
   void dropNextAnchor(Mesh& buffers);
 
+  /// Whether a level of a mesh can be drawn.
+  bool hasLevel(const Mesh& buffers, int level) const;
+  /// Makes the indices of a coarser level, 1 .. levels.count(), which all whole grids of the size share.
+  /// Bytes that were uploaded.
+  std::size_t addLevel(const Mesh& buffers, const TeGridLevels& levels, int level);
+
   /// Draws with the state of the fixed-function pipeline, or the program, that is set; changes no state but
   /// the current colour and normal.
-  void draw(const Mesh& buffers, bool withColours) const;
+  void draw(const Mesh& buffers, bool withColours) const { draw(buffers, withColours, 0); }
+  /// A level that was added; 0: all triangles.
+  void draw(const Mesh& buffers, bool withColours, int level) const;
 
   /// Forgets a mesh; its buffers go with the next freeRetired(). True if there are such that were not there
   /// before.
@@ -74,8 +83,12 @@ public:
 
 private:
   struct Indices {
-    GLuint buffer = 0;
+    GLuint buffer = 0; ///< 0 = not made
     std::size_t bytes = 0;
+    GLsizei count = 0;
+  };
+  struct Grid {
+    std::vector<Indices> levels; ///< by level, all triangles first
     int uses = 0;
   };
 
@@ -88,7 +101,7 @@ private:
   TeMeshGl m_gl;
   bool m_isUsable;
   std::unordered_map<const void*, Mesh> m_meshes;
-  std::map<std::pair<int, int>, Indices> m_grids; ///< by columns and rows
+  std::map<std::pair<int, int>, Grid> m_grids; ///< by columns and rows
   std::vector<std::pair<GLuint, std::size_t>> m_retired;
   std::size_t m_bytes = 0;
 };

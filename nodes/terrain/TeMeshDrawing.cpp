@@ -69,12 +69,33 @@ void TeMeshDrawing::commitAnchor() {
   setAnchor(m_nextAnchor);
 }
 
+void TeMeshDrawing::setPixelError(double pixels) {
+  assert(pixels >= 0 && std::isfinite(pixels));
+  m_pixelError = pixels;
+}
+
+std::shared_ptr<const TeGridLevels> TeMeshDrawing::gridLevels(int columns, int rows) {
+  std::shared_ptr<const TeGridLevels>& levels = m_levels[{columns, rows}];
+  if (!levels)
+    levels = std::make_shared<const TeGridLevels>(columns, rows);
+  return levels;
+}
+
+bool TeMeshDrawing::mayFindErrors(std::size_t vertices) {
+  // At least one mesh, however large.
+  if (m_errorVerticesLeft < kErrorVertices && vertices > m_errorVerticesLeft)
+    return false;
+  m_errorVerticesLeft -= std::min(vertices, m_errorVerticesLeft);
+  return true;
+}
+
 void TeMeshDrawing::resetFrame(std::size_t anchorBytes) {
   m_wasReady = nextAnchorReady();
   m_withNext = 0;
   m_withoutNext = 0;
   m_anchorBytesLeft = anchorBytes;
   m_freesLeft = kFreedPerFrame;
+  m_errorVerticesLeft = kErrorVertices;
   if (m_frame.bytesUploaded > 0) {
     m_recentSeconds = kFading * m_recentSeconds + m_frame.uploadSeconds;
     m_recentBytes = kFading * m_recentBytes + double(m_frame.bytesUploaded);
@@ -126,6 +147,14 @@ TeMeshBuffers::Mesh* TeMeshDrawing::prepare(TeMeshBuffers& buffers, const void* 
     m_freesLeft--;
   }
   return made;
+}
+
+void TeMeshDrawing::prepareLevel(TeMeshBuffers& buffers, const TeMeshBuffers::Mesh& made,
+                                 const TeGridLevels& levels, int level) {
+  if (buffers.hasLevel(made, level))
+    return;
+  const double start = teThreadCpuSeconds();
+  count(buffers.addLevel(made, levels, level), start);
 }
 
 void TeMeshDrawing::prepareNextAnchor(TeMeshBuffers& buffers, TeMeshBuffers::Mesh& made,

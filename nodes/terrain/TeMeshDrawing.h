@@ -2,6 +2,7 @@
 
 #include "nodes/TeNodePtr.h"
 #include "nodes/terrain/TeMeshBuffers.h"
+#include "nodes/terrain/TeMeshEye.h"
 
 #include <Inventor/nodes/SoTranslation.h>
 
@@ -31,6 +32,8 @@ public:
     std::int64_t uploads = 0;
     std::int64_t bytesUploaded = 0;
     double uploadSeconds = 0; ///< CPU time of this thread
+    /// No sample that was drawn deviates by more, in pixels (TeLodView::pixels()); 0 with all triangles.
+    double errorBound = 0;
   };
 
   explicit TeMeshDrawing(glm::dvec2 anchor);
@@ -57,6 +60,14 @@ public:
   /// During a change only. A mesh that still lacks its buffer makes it when it is next drawn. Buffers for
   /// the anchor before go in the next frames, kFreedPerFrame in each.
   void commitAnchor();
+
+  /// The screen error that coarser levels may have, pixels: each mesh is drawn with the coarsest level of
+  /// which no sample deviates by more (TeGridLevels). 0, as at first: with all triangles; no level is then
+  /// made, and nothing kept. Not negative; finite.
+  void setPixelError(double pixels);
+  double pixelError() const { return m_pixelError; }
+  /// The levels of whole grids of a size, made when first asked for; shared.
+  std::shared_ptr<const TeGridLevels> gridLevels(int columns, int rows);
 
   /// Starts a new account. `anchorBytes`: how much may be uploaded for the next anchor until the next call;
   /// if it is not 0, at least one mesh is.
@@ -85,14 +96,20 @@ private:
   /// Makes what a mesh lacks. Null if this OpenGL cannot draw it.
   TeMeshBuffers::Mesh* prepare(TeMeshBuffers& buffers, const void* node, const TePatchMesh& mesh,
                                const std::vector<std::uint32_t>& colours);
+  /// Makes a level's indices if they are not there.
+  void prepareLevel(TeMeshBuffers& buffers, const TeMeshBuffers::Mesh& made, const TeGridLevels& levels,
+                    int level);
   void prepareNextAnchor(TeMeshBuffers& buffers, TeMeshBuffers::Mesh& made, const TePatchMesh& mesh);
   /// Accounts for an upload that began at `start`, CPU seconds.
   void count(std::size_t bytes, double start);
   void updateTranslation();
+  /// Errors that a mesh lacks, because none were wanted when it was made; a few in a frame.
+  bool mayFindErrors(std::size_t vertices);
   static void freeWhenCurrent(const std::shared_ptr<TeMeshBuffers>& buffers);
   static void onContextDestroyed(std::uint32_t context, void* drawing);
 
   static constexpr int kFreedPerFrame = 64;
+  static constexpr std::size_t kErrorVertices = 4096; ///< of meshes whose errors are found in a frame
 
   TeNodePtr<SoTranslation> m_translation;
   glm::dvec2 m_anchor;
@@ -104,6 +121,10 @@ private:
   std::int64_t m_withoutNext = 0;
   std::size_t m_anchorBytesLeft = 0;
   int m_freesLeft = kFreedPerFrame;
+  double m_pixelError = 0;
+  std::size_t m_errorVerticesLeft = kErrorVertices;
+  TeMeshEye m_eye;                                                             ///< of the action that draws
+  std::map<std::pair<int, int>, std::shared_ptr<const TeGridLevels>> m_levels; ///< by columns and rows
   Frame m_frame;
   double m_recentSeconds = 0; ///< of uploads, fading
   double m_recentBytes = 0;

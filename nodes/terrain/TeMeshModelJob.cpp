@@ -1,5 +1,7 @@
 #include "nodes/terrain/TeMeshModelJob.h"
 
+#include "nodes/terrain/TeMeshVertices.h"
+
 #include <algorithm>
 #include <cassert>
 
@@ -8,6 +10,8 @@ TeMeshModelJob::TeMeshModelJob(TePatchMeshPtr mesh, const TeSurfaceColours& colo
     : m_mesh(std::move(mesh)), m_surfaceColours(colours), m_drawing(std::move(drawing)) {
   assert(m_mesh && m_mesh->normals.size() == m_mesh->positions.size());
   m_colours.reserve(m_mesh->positions.size());
+  if (m_drawing->pixelError() > 0 && teIsWholeGrid(*m_mesh))
+    m_errors.emplace(*m_mesh, m_drawing->gridLevels(m_mesh->columns, m_mesh->rows));
 }
 
 bool TeMeshModelJob::step(TeAllowance& allowance) {
@@ -17,14 +21,16 @@ bool TeMeshModelJob::step(TeAllowance& allowance) {
     for (std::size_t i = m_colours.size(); i < end; i++)
       m_colours.push_back(m_surfaceColours.packed(m_mesh->positions[i].z, m_mesh->normals[i]));
     if (!allowance.spend())
-      break;
+      return m_colours.size() == count && !m_errors;
   }
-  return m_colours.size() == count;
+  return !m_errors || m_errors->step(allowance);
 }
 
 TeNodePtr<SoTeTerrainMesh> TeMeshModelJob::take() {
   assert(m_colours.size() == m_mesh->positions.size());
   TeNodePtr<SoTeTerrainMesh> node(new SoTeTerrainMesh);
   node->setMesh(std::move(m_mesh), std::move(m_colours), std::move(m_drawing));
+  if (m_errors)
+    node->setLevelErrors(m_errors->take());
   return node;
 }

@@ -4,15 +4,19 @@
 #include "nodes/TeNodePtr.h"
 #include "nodes/TeSurfaceColours.h"
 #include "nodes/terrain/SoTeTerrainMesh.h"
+#include "nodes/terrain/TeLevelErrors.h"
 
-/// Makes a SoTeTerrainMesh from a mesh in slices of some rows of vertices: colours, then the node.
+#include <optional>
+
+/// Makes a SoTeTerrainMesh from a mesh in slices of some rows of vertices: colours, then, if the drawing has
+/// a pixel error, the errors of its levels, then the node.
 class TeMeshModelJob {
 public:
   TeMeshModelJob(TePatchMeshPtr mesh, const TeSurfaceColours& colours,
                  std::shared_ptr<TeMeshDrawing> drawing);
 
   /// Colours vertices until the allowance is spent, in units of at most kVerticesPerUnit; true when done. On
-  /// any thread, one at a time.
+  /// any thread, one at a time, while nobody changes the drawing.
   bool step(TeAllowance& allowance);
   /// Once done, once; on the thread that makes all Coin calls. Looks at all vertices for their bounding box.
   TeNodePtr<SoTeTerrainMesh> take();
@@ -24,4 +28,5 @@ private:
   TeSurfaceColours m_surfaceColours;
   std::shared_ptr<TeMeshDrawing> m_drawing;
   std::vector<std::uint32_t> m_colours;
+  std::optional<TeLevelErrors> m_errors; ///< if they are wanted
 };

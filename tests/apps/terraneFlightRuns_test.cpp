@@ -50,10 +50,29 @@ protected:
 TEST_F(TerraneFlightRuns, TheReportSaysWhatWasDone) {
   const TePicture picture = fly({"--seed", "5", "--frames", "40", "--path", "line"});
   EXPECT_GT(teGroundShare(picture), 0.1);
-  for (const char* key : {"frames", "budget_ms", "ticks_over_budget", "worst_tick_ms", "median_tick_ms",
-                          "frames_without_ground", "frames_with_missing_in_view", "jobs", "patches",
-                          "memory_peak_bytes", "redraws", "state_hash", "picture_hash", "context", "seed",
-                          "uploads", "teleports", "generator", "ticks"})
+  for (const char* key : {"frames",
+                          "budget_ms",
+                          "ticks_over_budget",
+                          "worst_tick_ms",
+                          "median_tick_ms",
+                          "frames_without_ground",
+                          "frames_with_missing_in_view",
+                          "jobs",
+                          "patches",
+                          "memory_peak_bytes",
+                          "redraws",
+                          "state_hash",
+                          "picture_hash",
+                          "context",
+                          "seed",
+                          "uploads",
+                          "teleports",
+                          "generator",
+                          "ticks",
+                          "pixel_error",
+                          "error_bound",
+                          "triangles",
+                          "frame_goal_ms"})
     EXPECT_TRUE(report().contains(key)) << key;
   EXPECT_EQ(report()["frames"], 40);
   EXPECT_EQ(report()["seed"], 5);
@@ -69,6 +88,48 @@ TEST_F(TerraneFlightRuns, TheReportSaysWhatWasDone) {
   EXPECT_GT(report()["jobs"]["block"]["finished"], 0);
   EXPECT_GT(report()["uploads"]["count"], 0);
   EXPECT_GT(report()["worst_tick_ms"], 0);
+  EXPECT_EQ(report()["pixel_error"], 0);
+  EXPECT_EQ(report()["error_bound"], 0);
+}
+
+TEST_F(TerraneFlightRuns, AWantedErrorHoldsAndRepeats) {
+  const Arguments flight = {"--frames", "40", "--path", "line", "--radius", "3", "--seed", "3"};
+  const auto with = [&](const char* pixels) {
+    Arguments all = flight;
+    all.insert(all.end(), {"--pixel-error", pixels});
+    return fly(std::move(all));
+  };
+  const TePicture full = fly(flight);
+  const std::string state = report()["state_hash"];
+  std::int64_t triangles = report()["triangles"];
+  for (const char* pixels : {"0.5", "2", "8"}) {
+    const TePicture picture = with(pixels);
+    EXPECT_EQ(report()["state_hash"], state) << "what objects do does not depend on it";
+    EXPECT_EQ(report()["pixel_error"], std::atof(pixels));
+    EXPECT_LE(report()["error_bound"].get<double>(), std::atof(pixels));
+    EXPECT_GT(report()["error_bound"].get<double>(), 0);
+    EXPECT_LT(report()["triangles"].get<std::int64_t>(), triangles) << pixels;
+    triangles = report()["triangles"];
+    const std::string hashes = this->hashes();
+    with(pixels);
+    EXPECT_EQ(this->hashes(), hashes) << pixels;
+  }
+}
+
+// By the clock: where every frame is too dear the error grows, and where none is it is the least.
+TEST_F(TerraneFlightRuns, AFrameRateChoosesTheError) {
+  const auto run = [&](Arguments arguments) {
+    arguments.insert(arguments.end(), {"--size", "160x120", "--quiet", "--frames", "40", "--radius", "2"});
+    return draw(std::move(arguments));
+  };
+  run({"--fps", "1000"});
+  EXPECT_GT(report()["pixel_error"].get<double>(), 1);
+  EXPECT_EQ(report()["frame_goal_ms"], 1);
+  run({"--fps", "1", "--pixel-error", "2"});
+  EXPECT_NEAR(report()["pixel_error"].get<double>(), 2, 1e-9);
+  run({"--fps", "30", "--dt", "0.0333"});
+  EXPECT_EQ(report()["pixel_error"], 0) << "runs that repeat do not go by the clock";
+  EXPECT_EQ(report()["frame_goal_ms"], 0);
 }
 
 TEST_F(TerraneFlightRuns, StraightFlightAlwaysHasGroundAndAView) {

@@ -25,11 +25,11 @@ TEST_F(TerraneFlightUsage, HelpNamesEveryOption) {
   const TeChildResult help = run({"--help"});
   EXPECT_EQ(help.status, 0);
   for (const char* option :
-       {"--context",   "--offscreen",   "--size",    "--frames",  "--dt",      "--seed",
-        "--report",    "--quiet",       "--version", "--samples", "--spacing", "--center",
-        "--generator", "--filter",      "--dem",     "--radius",  "--budget",  "--units",
-        "--fps",       "--workers",     "--record",  "--replay",  "--haze",    "--hud",
-        "--view",      "--screenshots", "--path",    "--speed",   "--altitude"})
+       {"--context",   "--offscreen",   "--size",    "--frames",  "--dt",       "--seed",
+        "--report",    "--quiet",       "--version", "--samples", "--spacing",  "--center",
+        "--generator", "--filter",      "--dem",     "--radius",  "--budget",   "--units",
+        "--fps",       "--workers",     "--record",  "--replay",  "--haze",     "--hud",
+        "--view",      "--screenshots", "--path",    "--speed",   "--altitude", "--pixel-error"})
     EXPECT_NE(help.output.find(option), std::string::npos) << option;
   EXPECT_TRUE(help.error.empty());
   EXPECT_EQ(run({"--version"}).output.rfind("terrane-flight 0.", 0), 0u);
@@ -45,6 +45,7 @@ TEST_F(TerraneFlightUsage, NumbersOutOfRange) {
       {"--budget", {"0", "-1", "1e9", "nan", "inf", "x", ""}},
       {"--units", {"0", "-1", "1e3", "99999999999", "nan"}},
       {"--fps", {"0", "-1", "nan", "1e9"}},
+      {"--pixel-error", {"0", "-1", "nan", "inf", "1e9", "x"}},
       {"--workers", {"-1", "65", "nan"}},
       {"--speed", {"-1", "nan", "inf", "1e9", "x"}},
       {"--altitude", {"-1", "nan", "inf"}},

@@ -56,6 +56,7 @@ TEST_F(TerraneViewUsage, NumbersOutOfRange) {
   } cases[] = {
       {"--precision", {"0", "0.5", "-1", "nan", "inf", "x", ""}},
       {"--pixel-error", {"0", "-1", "nan", "inf", "x"}},
+      {"--fps", {"0", "-1", "nan", "1e9", "x"}},
       {"--size-m", {"0", "-1", "nan", "1e300"}},
       {"--height-scale", {"0", "-1", "nan", "inf"}},
       {"--clip-size", {"0", "4", "-1", "1e9", "2.5"}},
@@ -75,6 +76,7 @@ TEST_F(TerraneViewUsage, NumbersOutOfRange) {
   expectRefused({"--dem", dem, "--resolution", "100"}, 2, "power of two");
   expectRefused({"--dem", dem, "--patch-resolution", "12"}, 2, "power of two");
   expectRefused({"--dem", dem, "--precision", "2", "--pixel-error", "2"}, 2, "--p");
+  expectRefused({"--dem", dem, "--precision", "2", "--fps", "30"}, 2, "--p");
 }
 
 TEST_F(TerraneViewUsage, ColouringsNeedTheirPictures) {

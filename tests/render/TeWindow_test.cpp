@@ -38,7 +38,9 @@ public:
     width = newWidth;
     height = newHeight;
   }
-  void drawn(double, double drawSeconds) override {
+  void drawn(double, double drawSeconds, double finishSeconds) override {
+    EXPECT_GE(finishSeconds, 0);
+    finished += finishSeconds > 0;
     ++frames;
     seconds += drawSeconds;
   }
@@ -47,6 +49,7 @@ public:
   int width = 0;
   int height = 0;
   int frames = 0;
+  int finished = 0; ///< frames of which it is known when OpenGL was done
   double seconds = 0;
 
 private:

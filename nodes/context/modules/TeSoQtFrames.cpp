@@ -45,6 +45,7 @@ void TeSoQtFrames::end() {
   }
   m_gl.finish();
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
+  m_lastSeconds = seconds;
   ++m_session->frames;
   m_session->meanSeconds += (seconds - m_session->meanSeconds) / m_session->frames;
   m_session->longestSeconds = std::max(m_session->longestSeconds, seconds);

@@ -19,6 +19,8 @@ public:
   void begin() { m_start = std::chrono::steady_clock::now(); }
   void end();
 
+  /// Of the wall clock, from begin() until OpenGL was done; 0 before the window has settled.
+  double lastSeconds() const { return m_lastSeconds; }
   const TeResult<TeViewerSession>& session() const { return m_session; }
   /// What was drawn; while the context is current.
   TeResult<TePicture> readPicture();
@@ -34,6 +36,7 @@ private:
   bool m_isSettled = false;
   int m_tries = 0;
   std::chrono::steady_clock::time_point m_start;
+  double m_lastSeconds = 0;
   TeGlTable m_gl;
   TeResult<TeViewerSession> m_session = TeViewerSession();
 };

@@ -49,7 +49,7 @@ protected:
     const double frameSeconds = m_drawn ? std::chrono::duration<double>(now - m_last).count() : 0;
     m_last = now;
     m_drawn = true;
-    m_client.drawn(frameSeconds, drawSeconds);
+    m_client.drawn(frameSeconds, drawSeconds, m_frames.lastSeconds());
   }
 
   void processEvent(QEvent* event) override {

@@ -40,6 +40,25 @@ TEST(TeHudLines, SayWhereTheObjectIsHowItMovesAndWhatTheEngineDoes) {
   EXPECT_THAT(lines, Contains("gas  80 %")) << "the object's own lines";
 }
 
+TEST(TeHudLines, SayWhatTheAccuracyIsAndCosts) {
+  Balloon balloon;
+  TeStatistics statistics;
+  const std::size_t before = teHudLines(balloon, statistics).size();
+  statistics.frameSeconds = 0.0123;
+  statistics.frameGoalSeconds = 1.0 / 60;
+  statistics.pixelError = 1.25;
+  statistics.errorBoundPixels = 0.8;
+  statistics.drawing.triangles = 1412000;
+  statistics.drawing.seconds = 0.0098;
+  const std::vector<std::string> lines = teHudLines(balloon, statistics);
+  EXPECT_EQ(lines.size(), before + 1);
+  EXPECT_THAT(lines, Contains(HasSubstr("12.3 of 16.7 ms")));
+  EXPECT_THAT(lines, Contains(HasSubstr("0.80 px")));
+  EXPECT_THAT(lines, Contains(HasSubstr("1.25 px wanted")));
+  EXPECT_THAT(lines, Contains(HasSubstr("1,412,000 triangles")));
+  EXPECT_THAT(lines, Contains(HasSubstr("9.8 ms")));
+}
+
 TEST(TeHudLines, UnknownGroundIsSaid) {
   Balloon balloon;
   TeStatistics statistics;

@@ -195,3 +195,17 @@ TEST_F(SoTeTerrainMeshNode, TellsWhatItUploads) {
   m_node->setMesh(nullptr, {}, m_drawing);
   EXPECT_EQ(m_node->uploadBytes(), 0u);
 }
+
+TEST_F(SoTeTerrainMeshNode, PickingAndCountsStayThoseOfAllTriangles) {
+  build(gridMesh(*TeLattice::create(65, 1), 1, 1, 31, 31, hills));
+  const SoPickedPoint* point = pick(SbVec3f(6.25f, 5.5f, 100), SbVec3f(0, 0, -1));
+  ASSERT_TRUE(point);
+  const SbVec3f before = point->getPoint();
+  m_drawing->setPixelError(1000);
+  point = pick(SbVec3f(6.25f, 5.5f, 100), SbVec3f(0, 0, -1));
+  ASSERT_TRUE(point);
+  EXPECT_EQ(point->getPoint(), before);
+  EXPECT_EQ(triangles(m_root.get()), 2 * 30 * 30);
+  EXPECT_EQ(m_node->level(), 0) << "until it is drawn";
+  EXPECT_TRUE(m_node->levelErrors().empty()) << "until it is drawn";
+}

@@ -58,13 +58,13 @@ void checkLevel(const TeGridLevels& levels, int level) {
 TEST(TeGridLevels, EachLevelCoversTheGridOnceAndKeepsTheRim) {
   int levelsSeen = 0;
   for (int columns = 1; columns <= 36; ++columns)
-    for (int rows = 1; rows <= 36; rows += columns % 5 == 0 ? 1 : 3) {
+    for (int rows = 1; rows <= 36; rows += columns % 9 == 4 ? 1 : 5) {
       SCOPED_TRACE(testing::Message() << columns << " x " << rows);
       const TeGridLevels levels(columns, rows);
       for (int level = 1; level <= levels.count(); ++level, ++levelsSeen)
         checkLevel(levels, level);
     }
-  EXPECT_GT(levelsSeen, 500);
+  EXPECT_GT(levelsSeen, 300);
   for (const int side : {63, 65, 127, 255}) {
     const TeGridLevels levels(side, side);
     for (int level = 1; level <= levels.count(); ++level)

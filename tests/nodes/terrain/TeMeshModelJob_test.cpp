@@ -73,3 +73,22 @@ TEST(TeMeshModelJob, AMeshWithoutVerticesIsDoneAtOnce) {
   EXPECT_TRUE(job.step(unit));
   EXPECT_EQ(job.take()->uploadBytes(), 0u);
 }
+
+TEST(TeMeshModelJob, FindsTheErrorsOfLevelsOnlyIfOneIsWanted) {
+  const TePatchMeshPtr mesh = hills(31);
+  const auto drawing = std::make_shared<TeMeshDrawing>(glm::dvec2(0));
+  TeAllowance unlimited = TeAllowance::unlimited();
+  TeMeshModelJob plain(mesh, TeSurfaceColours(), drawing);
+  ASSERT_TRUE(plain.step(unlimited));
+  EXPECT_TRUE(plain.take()->levelErrors().empty());
+  drawing->setPixelError(1);
+  TeMeshModelJob wanted(mesh, TeSurfaceColours(), drawing);
+  drawing->setPixelError(0); // what a job has begun it ends
+  int units = 0;
+  for (bool isDone = false; !isDone; ++units) {
+    TeAllowance unit = TeAllowance::units(1);
+    isDone = wanted.step(unit);
+  }
+  EXPECT_GT(units, 1);
+  EXPECT_EQ(int(wanted.take()->levelErrors().size()), TeGridLevels(31, 31).count() + 1);
+}
