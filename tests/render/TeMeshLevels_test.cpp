@@ -14,8 +14,10 @@
 
 namespace {
 
+constexpr int kWidth = 200, kHeight = 150;
 constexpr int kPatches = 7;
-constexpr int kMaps = 65; ///< samples: patches of 32 cells of 1 m
+constexpr int kMaps = 65;         ///< samples: patches of 32 cells of 1 m
+constexpr int kFramesToFind = 20; ///< until all meshes in view have found their errors
 
 /// A block of patches drawn around its centre: rough in the east, smooth in the west, one cliff.
 class TeMeshLevels : public TeRenderTest {
@@ -41,7 +43,7 @@ protected:
     m_graph = meshGraph(*m_block, m_drawing);
     m_scene = sideView(m_graph.get(), 150);
     m_camera = static_cast<SoPerspectiveCamera*>(m_scene->getChild(0));
-    auto renderer = TeSceneRenderer::create(context(), 320, 240);
+    auto renderer = TeSceneRenderer::create(context(), kWidth, kHeight);
     ASSERT_TRUE(renderer) << renderer.error().message;
     m_renderer = std::move(*renderer);
     m_renderer->setBackground(SbColor(1, 0, 1));
@@ -91,7 +93,7 @@ TEST_F(TeMeshLevels, NothingIsMadeUntilAnErrorIsWanted) {
   for (const SoTeTerrainMesh* mesh : meshes())
     EXPECT_TRUE(mesh->levelErrors().empty());
   m_drawing->setPixelError(8);
-  for (int i = 0; i < 100; i++)
+  for (int i = 0; i < kFramesToFind; i++)
     frame();
   EXPECT_LT(m_drawing->frame().triangles, triangles);
   // Of two sizes of grids that lie and stand, and one that is square.
@@ -104,7 +106,7 @@ TEST_F(TeMeshLevels, NothingIsMadeUntilAnErrorIsWanted) {
 
 TEST_F(TeMeshLevels, MeshesMadeWithAnErrorHaveTheirLevelsAtOnce) {
   m_drawing->setPixelError(4);
-  for (int i = 0; i < 100; i++)
+  for (int i = 0; i < kFramesToFind; i++)
     frame();
   const std::vector<int> later = levels();
   std::vector<std::vector<float>> errors;
@@ -114,8 +116,14 @@ TEST_F(TeMeshLevels, MeshesMadeWithAnErrorHaveTheirLevelsAtOnce) {
   build(4);
   EXPECT_EQ(frame(), picture);
   EXPECT_EQ(levels(), later);
-  for (std::size_t i = 0; i < errors.size(); i++)
+  int found = 0;
+  for (std::size_t i = 0; i < errors.size(); i++) {
+    if (errors[i].size() < 2) // not in view, or too small to have levels
+      continue;
     EXPECT_EQ(meshes()[i]->levelErrors(), errors[i]);
+    found++;
+  }
+  EXPECT_GT(found, 40);
 }
 
 TEST_F(TeMeshLevels, LeaveNoCrack) {
@@ -167,7 +175,7 @@ TEST_F(TeMeshLevels, TheBoundHoldsAndTrianglesFallWithTheError) {
     EXPECT_LE(m_drawing->frame().triangles, before);
     before = m_drawing->frame().triangles;
     // What each mesh has is at most what its nearest sample allows.
-    const double focal = 240 / 2 / std::tan(double(m_camera->heightAngle.getValue()) / 2);
+    const double focal = kHeight / 2 / std::tan(double(m_camera->heightAngle.getValue()) / 2);
     const SbVec3f eye = m_camera->position.getValue();
     for (const SoTeTerrainMesh* mesh : meshes()) {
       if (mesh->level() == 0)
@@ -186,13 +194,13 @@ TEST_F(TeMeshLevels, TheBoundHoldsAndTrianglesFallWithTheError) {
 TEST_F(TeMeshLevels, AnEyeThatTremblesChangesNothing) {
   build(2);
   int most = 0;
-  for (int run = 0; run < 20; run++) {
-    const SbVec3f eye(100 - 3.7f * float(run), -110, 60 - 1.3f * float(run));
+  for (int run = 0; run < 3; run++) {
+    const SbVec3f eye(100 - 13.7f * float(run), -110, 60 - 9.3f * float(run));
     look(eye, SbVec3f(0, 0, 0));
     frame();
     std::vector<int> before = levels();
     std::vector<int> switches(before.size(), 0);
-    for (int i = 0; i < 50; i++) {
+    for (int i = 0; i < 12; i++) {
       look(eye + SbVec3f(0.4f, -0.3f, 0.5f) * (i % 2 ? 1.0f : -1.0f), SbVec3f(0, 0, 0));
       frame();
       const std::vector<int> now = levels();
@@ -216,6 +224,8 @@ TEST_F(TeMeshLevels, StayWithTheAnchor) {
   }
   ASSERT_TRUE(m_drawing->nextAnchorReady());
   m_drawing->commitAnchor();
-  EXPECT_LE(comparePixels(before, frame()).pixels, 20);
+  const TePicture after = frame();
+  EXPECT_EQ(enclosedBackground(after), 0);
+  EXPECT_LE(comparePixels(before, after).pixels, kWidth * kHeight / 100) << "positions are rounded anew";
   EXPECT_EQ(levels(), levelsBefore);
 }
