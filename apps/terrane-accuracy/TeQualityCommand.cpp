@@ -29,7 +29,7 @@ TeQualityCommand::TeQualityCommand(TeCommandLine& commandLine)
           "quality", "Shows how a frame-time goal is held by choosing the error under changing load")) {
   m_cli->fallthrough();
   const std::string group = "Measuring";
-  m_cli->add_option("--radius", m_radius, "Patches around the middle one of the flight (default: 12)")
+  m_cli->add_option("--radius", m_radius, "Patches around the middle one of the flight (default: 6)")
       ->transform(TeCommandLine::wholeWithin(1, TeEngine::kMaxRadius))
       ->option_text("N")
       ->group(group);
@@ -75,11 +75,13 @@ TeResult<TeQualityTrace> TeQualityCommand::drawn(TeAccuracyOutput& output) const
   json["terrain"] = (*flight)->terrain();
   json["frames_a_second"] = rate;
   json["radius"] = m_radius;
+  json["clock"] = (*flight)->byCpu() ? "cpu" : "wall";
   output.addText(
-      teFormat("Drawn: the engine's terrain, %d × %d patches, from a traveller at 60 m/s, %d×%d "
+      teFormat("Drawn: the engine's terrain, %d × %d patches, from a traveller at 2 m/s, %d×%d "
                "pixels, by ",
                2 * m_radius + 1, 2 * m_radius + 1, common.width, common.height) +
       (*flight)->renderer() +
+      ((*flight)->byCpu() ? "; times are CPU time of all threads, as that is what draws here" : "") +
       teFormat("; goal %.1f frames a second, of which drawing gets %.1f ms. The load is how often the "
                "scene is drawn in a frame. Simulated: frames of 60 a second that cost a fixed 15 %% "
                "and a part that falls with the error, ± 10 %% noise, each choice a frame late.",

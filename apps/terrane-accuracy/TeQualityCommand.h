@@ -27,7 +27,7 @@ private:
 
   TeCommandLine& m_commandLine;
   CLI::App* m_cli;
-  int m_radius = 12;
+  int m_radius = 6;
   double m_rate = 0; ///< frames a second; 0 = one that can be held
   double m_load = 2;
   double m_seconds = 4; ///< a step

@@ -7,19 +7,25 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <ctime>
 #include <vector>
 
 namespace {
 
-constexpr double kSpeed = 60;     ///< m/s
+constexpr double kSpeed = 2;      ///< m/s: what is seen hardly changes
 constexpr double kAltitude = 120; ///< metres above the highest ground nearby
 constexpr int kFramesOfCost = 9;
 constexpr double kLeverage = 1.3; ///< that the finest picture costs more than the coarsest under load
 constexpr double kFinest = 0.25;  ///< pixels
 constexpr double kCoarsest = 32;
 
-double wallSeconds() {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+constexpr int kSamples = 129; ///< of a source map: patches of which the inside is most
+
+bool isSoftware(const std::string& renderer) {
+  for (const char* name : {"llvmpipe", "softpipe", "swrast", "Software"})
+    if (renderer.find(name) != std::string::npos)
+      return true;
+  return false;
 }
 
 } // namespace
@@ -38,6 +44,7 @@ TeResult<std::unique_ptr<TeQualityFlight>> TeQualityFlight::create(const TeCommo
     return context.error();
   TeEngineOptions options;
   options.radius = radius;
+  options.terrain.samples = kSamples;
   options.hud = false;
   options.haze = "off";
   TeResult<std::unique_ptr<TeEngineStage>> stage = TeEngineStage::create(options, common);
@@ -45,6 +52,7 @@ TeResult<std::unique_ptr<TeQualityFlight>> TeQualityFlight::create(const TeCommo
     return stage.error();
   std::unique_ptr<TeQualityFlight> flight(new TeQualityFlight);
   flight->m_context = std::move(*context);
+  flight->m_byCpu = isSoftware(flight->m_context->renderer());
   flight->m_stage = std::move(*stage);
   flight->m_root = TeNodePtr<SoSeparator>(new SoSeparator);
   flight->setLoad(1);
@@ -80,11 +88,19 @@ void TeQualityFlight::setLoad(double load) {
     m_root->addChild(&m_stage->all());
 }
 
+double TeQualityFlight::seconds() const {
+  if (!m_byCpu)
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return double(time.tv_sec) + 1e-9 * double(time.tv_nsec);
+}
+
 TeResult<double> TeQualityFlight::draw() {
-  const double begin = wallSeconds();
+  const double begin = seconds();
   if (const TeStatus ok = m_renderer->draw(m_root.get()); !ok)
     return ok.error();
-  return wallSeconds() - begin;
+  return seconds() - begin;
 }
 
 TeResult<double> TeQualityFlight::costAt(double pixels) {
@@ -93,11 +109,11 @@ TeResult<double> TeQualityFlight::costAt(double pixels) {
   std::vector<double> costs;
   for (int i = 0; i < kFramesOfCost; ++i) {
     engine.timeTick(0);
-    const TeResult<double> seconds = draw();
-    if (!seconds)
-      return seconds.error();
-    engine.frameDrawn(*seconds, *seconds, *seconds);
-    costs.push_back(*seconds);
+    const TeResult<double> drawn = draw();
+    if (!drawn)
+      return drawn.error();
+    engine.frameDrawn(*drawn, *drawn, *drawn);
+    costs.push_back(*drawn);
   }
   std::nth_element(costs.begin(), costs.begin() + kFramesOfCost / 2, costs.end());
   return costs[kFramesOfCost / 2];
@@ -128,11 +144,11 @@ TeResult<TeQualityTrace> TeQualityFlight::run(double rate, const std::vector<TeQ
   trace.name = "drawn";
   trace.goal = TeEngine::kDrawingShare / rate;
   trace.steps = steps;
-  const double start = wallSeconds();
+  const double start = seconds();
   double last = start;
   while (last - start < steps.back().end) {
     TeQualityTrace::Frame frame;
-    const double now = wallSeconds();
+    const double now = seconds();
     progress(now - start);
     for (const TeQualityTrace::Step& step : steps)
       if (now - start >= step.begin && now - start < step.end)
@@ -142,16 +158,16 @@ TeResult<TeQualityTrace> TeQualityFlight::run(double rate, const std::vector<TeQ
     if (!engine.timeTick(now - last))
       return TeError{engine.lastError()};
     const double cpu = teThreadCpuSeconds();
-    const TeResult<double> seconds = draw();
-    if (!seconds)
-      return seconds.error();
-    engine.frameDrawn(now - last, teThreadCpuSeconds() - cpu, *seconds);
+    const TeResult<double> drawn = draw();
+    if (!drawn)
+      return drawn.error();
+    engine.frameDrawn(now - last, teThreadCpuSeconds() - cpu, *drawn);
     last = now;
     const TeStatistics& statistics = engine.getStatistics();
     frame.seconds = statistics.drawing.seconds;
     frame.bound = statistics.errorBoundPixels;
     frame.triangles = statistics.drawing.triangles;
-    frame.time = wallSeconds() - start;
+    frame.time = seconds() - start;
     trace.frames.push_back(frame);
   }
   setLoad(1);
