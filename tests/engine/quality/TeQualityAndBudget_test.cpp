@@ -91,8 +91,9 @@ TEST(TeQualityAndBudget, TheBudgetGivesWayFirstAndNeitherSwings) {
     const std::size_t settled = program.errors.size();
     program.run(10);
     EXPECT_LE(turns(program.errors, settled, 0.02 * program.errors.back()), 1);
-    if (noise == 0)
+    if (noise == 0) {
       EXPECT_LE(turns(program.budgets, settled, 0.05 * budgetBefore), 0);
+    }
     const double late =
         double(std::count_if(program.frames.begin() + std::ptrdiff_t(settled), program.frames.end(),
                              [](double frame) { return frame > kFrame; }));
