@@ -8,7 +8,17 @@
 namespace {
 
 constexpr std::uint8_t kNotDrawn = 255;
-constexpr int kLevelBits = 4;
+constexpr int kWhole = TeGeoMipPart::kWhole;
+constexpr int kMaxPatches = 4096; ///< a side: what keys have room for
+
+/// Errors from which on a level is used where vertices morph, `before` being that of the next finer one:
+/// there all vertices may stand on its surface without being off by more.
+double morphError(const TeGeoMipErrors::Patch& errors, int level, bool byDial, double before) {
+  if (byDial)
+    return double(errors.midpoint(level));
+  const double moved = double(errors.regular(level - 1)) + double(errors.midpoint(level));
+  return std::max({before, double(errors.regular(level)), moved});
+}
 
 } // namespace
 
@@ -17,6 +27,7 @@ struct TeGeoMipMapping::Wish {
   const TeLodView& view;
   double pixels; ///< wanted, or the threshold of the dial
   bool byDial;
+  bool geomorph;
 };
 
 TeResult<std::unique_ptr<TeLodMethod>> TeGeoMipMapping::create(TeLodFieldPtr field,
@@ -26,12 +37,14 @@ TeResult<std::unique_ptr<TeLodMethod>> TeGeoMipMapping::create(TeLodFieldPtr fie
     return TeError{teFormat("patches of %d cells a side: neither 0 nor a power of two from 2 to %d", cells,
                             TeGeoMipPatterns::kMaxPatchCells)};
   const int patchCells = std::min(cells, field->cells());
+  if (field->cells() / patchCells > kMaxPatches)
+    return TeError{teFormat("%d patches a side: more than %d", field->cells() / patchCells, kMaxPatches)};
   return std::unique_ptr<TeLodMethod>(new TeGeoMipMapping(std::move(field), patchCells));
 }
 
 TeGeoMipMapping::TeGeoMipMapping(TeLodFieldPtr shared, int patchCells)
     : TeLodMethod(std::move(shared)), m_patterns(patchCells), m_errors(field(), m_patterns),
-      m_patches(m_errors.patches()),
+      m_mesh(field(), m_patterns, m_errors), m_patches(m_errors.patches()),
       m_levels(std::size_t(m_patches + 2) * std::size_t(m_patches + 2), kNotDrawn),
       m_places(m_levels.size()) {
   m_ranges.emplace_back(); // height 0: m_errors has them
@@ -84,10 +97,16 @@ void TeGeoMipMapping::choose(const TeLodView& view, const TeLodAccuracy& accurac
   m_drawn.clear();
   m_canCoarsen = false;
   const bool byDial = accuracy.dial > 0;
-  const Wish wish{view, byDial ? accuracy.dial : accuracy.pixelError, byDial};
+  const Wish wish{view, byDial ? accuracy.dial : accuracy.pixelError, byDial,
+                  accuracy.geomorph && (byDial || accuracy.pixelError > 0)};
   visit(wish, int(m_ranges.size()) - 1, 0, 0, TeLodBox::allPlanes(view), selection);
   if (!byDial)
     refineNeighbours();
+  if (wish.geomorph) {
+    weigh(wish);
+    if (!byDial)
+      raiseWeights();
+  }
   report(wish, selection);
 }
 
@@ -112,22 +131,34 @@ void TeGeoMipMapping::draw(const Wish& wish, int x, int y, const TeLodBox& box) 
   const TeGeoMipErrors::Patch errors = m_errors.patch(x, y);
   int level = m_patterns.levels() - 1;
   double largest = 0;
-  if (wish.byDial) {
+  if (wish.byDial || wish.pixels > 0) {
     const double middle = glm::length(0.5 * (box.low + box.high) - wish.view.eye);
-    largest = teLargestDeviation(wish.view, wish.pixels, middle, field().heightScale());
-    while (level > 0 && double(errors.midpoint(level)) > largest)
-      level--;
-  } else if (wish.pixels > 0) {
-    largest = teLargestDeviation(wish.view, wish.pixels, distance, field().heightScale());
-    while (level > 0 && double(errors.regular(level)) > largest)
-      level--;
+    largest =
+        teLargestDeviation(wish.view, wish.pixels, wish.byDial ? middle : distance, field().heightScale());
+    if (wish.geomorph) {
+      largest = std::max(0.0, largest - m_mesh.rounding());
+      level = morphLevel(wish, errors, largest);
+    } else {
+      while (level > 0 && double(wish.byDial ? errors.midpoint(level) : errors.regular(level)) > largest)
+        level--;
+    }
   } else {
     level = 0;
   }
   const std::size_t cell = this->cell(x, y);
   m_levels[cell] = std::uint8_t(level);
   m_places[cell] = std::uint32_t(m_drawn.size());
-  m_drawn.push_back({x, y, distance, largest});
+  m_drawn.push_back({x, y, distance, largest, kWhole});
+}
+
+int TeGeoMipMapping::morphLevel(const Wish& wish, const TeGeoMipErrors::Patch& errors, double largest) const {
+  double error = 0;
+  for (int level = 1; level < m_patterns.levels(); level++) {
+    error = morphError(errors, level, wish.byDial, error);
+    if (error > largest)
+      return level - 1;
+  }
+  return m_patterns.levels() - 1;
 }
 
 void TeGeoMipMapping::refineNeighbours() {
@@ -157,58 +188,104 @@ void TeGeoMipMapping::refineNeighbours() {
   }
 }
 
-void TeGeoMipMapping::report(const Wish& wish, TeLodSelection& selection) {
-  double bound = 0;
-  for (const Drawn& drawn : m_drawn) {
+// From 0, where the next coarser level has just been given up, to 1, where this one is.
+void TeGeoMipMapping::weigh(const Wish& wish) {
+  for (Drawn& drawn : m_drawn) {
+    const int level = m_levels[cell(drawn.x, drawn.y)];
+    if (level + 1 == m_patterns.levels())
+      continue;
+    const TeGeoMipErrors::Patch errors = m_errors.patch(drawn.x, drawn.y);
+    double finer = 0;
+    for (int i = 1; i <= level; i++)
+      finer = morphError(errors, i, wish.byDial, finer);
+    const double coarser = morphError(errors, level + 1, wish.byDial, finer);
+    drawn.weight = 0;
+    if (coarser > finer)
+      raiseWeight(drawn, (coarser - drawn.largest) / (coarser - finer));
+  }
+}
+
+void TeGeoMipMapping::raiseWeight(Drawn& drawn, double share) {
+  // A hair more, so that rounding takes nothing away.
+  drawn.weight = std::max(drawn.weight, int(std::ceil(kWhole * std::clamp(share + 1e-9, 0.0, 1.0))));
+}
+
+// A strip deviates by no more than with all vertices at their own heights, plus the farthest that one of them
+// is moved. So each strip asks for a least weight of the patches whose vertices it has, whatever others ask.
+void TeGeoMipMapping::raiseWeights() {
+  for (Drawn& drawn : m_drawn) {
     const std::size_t here = cell(drawn.x, drawn.y);
     const int level = m_levels[here];
     const TeGeoMipErrors::Patch errors = m_errors.patch(drawn.x, drawn.y);
-    float error = errors.regular(level);
-    TeGeoMipSides sides;
+    const auto ask = [&](Drawn& asked, int itsLevel, double error) {
+      if (itsLevel + 1 == m_patterns.levels())
+        return;
+      const double moved = double(errors.midpoint(itsLevel + 1)), room = drawn.largest - error;
+      if (moved > room)
+        raiseWeight(asked, 1 - room / moved);
+    };
+    const auto beyond = [&](int side) -> Drawn* {
+      const std::size_t there = beside(here, side % 4);
+      return m_levels[there] == kNotDrawn ? nullptr : &m_drawn[m_places[there]];
+    };
     for (int side = 0; side < 4; side++) {
-      // What is not drawn has no border in view.
-      const int other = m_levels[beside(here, side)];
-      const int border = other == kNotDrawn ? level : std::max(level, other);
-      sides[std::size_t(side)] = border;
-      error = std::max(error, errors.stitched(level, TeGeoMipSide(side), border));
+      Drawn* other = beyond(side);
+      const int border = other ? m_levels[cell(other->x, other->y)] : 0;
+      if (!other || border < level)
+        continue;
+      if (border == level) {
+        ask(*other, level, double(errors.regular(level)));
+        continue;
+      }
+      const double error = double(errors.stitched(level, TeGeoMipSide(side), border));
+      ask(drawn, level, error);
+      ask(*other, border, error);
+      for (const int next : {side + 1, side + 3}) // halves of corner cells are in these strips
+        if (Drawn* beside = beyond(next); beside && m_levels[cell(beside->x, beside->y)] == level)
+          ask(*beside, level, error);
     }
-    const std::int64_t triangles = m_patterns.triangles(level, sides);
-    selection.parts.push_back({keyOf(drawn, level, sides), triangles});
+  }
+}
+
+TeGeoMipPart TeGeoMipMapping::partOf(const Drawn& drawn) const {
+  const std::size_t here = cell(drawn.x, drawn.y);
+  TeGeoMipPart part;
+  part.x = drawn.x;
+  part.y = drawn.y;
+  part.level = m_levels[here];
+  part.weight = drawn.weight;
+  for (std::size_t side = 0; side < 4; side++) {
+    part.sides[side] = part.level;
+    part.borderWeights[side] = part.weight;
+    const std::size_t there = beside(here, int(side));
+    const int border = m_levels[there];
+    if (border == kNotDrawn) // it has no border in view
+      continue;
+    const int weight = m_drawn[m_places[there]].weight;
+    if (border > part.level) {
+      part.sides[side] = border;
+      part.borderWeights[side] = weight;
+    } else if (border == part.level) {
+      part.borderWeights[side] = std::min(weight, part.weight);
+    }
+  }
+  return part;
+}
+
+void TeGeoMipMapping::report(const Wish& wish, TeLodSelection& selection) {
+  double bound = 0;
+  for (const Drawn& drawn : m_drawn) {
+    const TeGeoMipPart part = partOf(drawn);
+    const std::int64_t triangles = m_patterns.triangles(part.level, part.sides);
+    selection.parts.push_back({part.key(m_patches), triangles});
     selection.triangles += triangles;
-    bound = std::max(bound, wish.view.pixels(double(error) * field().heightScale(), drawn.distance));
-    m_canCoarsen = m_canCoarsen || level + 1 < m_patterns.levels();
+    bound = std::max(bound, wish.view.pixels(m_mesh.error(part) * field().heightScale(), drawn.distance));
+    m_canCoarsen = m_canCoarsen || part.level + 1 < m_patterns.levels();
   }
   selection.errorBound = bound;
   selection.dial = wish.pixels;
 }
 
-std::uint64_t TeGeoMipMapping::keyOf(const Drawn& drawn, int level, const TeGeoMipSides& sides) const {
-  std::uint64_t key = std::uint64_t(drawn.y) * std::uint64_t(m_patches) + std::uint64_t(drawn.x);
-  key = key << kLevelBits | std::uint64_t(level);
-  for (const int side : sides)
-    key = key << kLevelBits | std::uint64_t(side);
-  return key;
-}
-
-TeGeoMipMapping::Part TeGeoMipMapping::partOf(std::uint64_t key) const {
-  constexpr std::uint64_t kMask = (1u << kLevelBits) - 1;
-  Part part;
-  for (std::size_t side = 4; side-- > 0; key >>= kLevelBits)
-    part.sides[side] = int(key & kMask);
-  part.level = int(key & kMask);
-  key >>= kLevelBits;
-  part.x = int(key % std::uint64_t(m_patches));
-  part.y = int(key / std::uint64_t(m_patches));
-  return part;
-}
-
-void TeGeoMipMapping::appendPart(std::size_t number, TeLodMesh& mesh) const {
-  const Part part = partOf(selection().parts[number].key);
-  const auto first = std::uint32_t(mesh.vertices.size());
-  const int cells = m_patterns.cells(part.level);
-  const int column = part.x * m_patterns.patchCells(), row = part.y * m_patterns.patchCells();
-  for (int y = 0; y <= cells; y++)
-    for (int x = 0; x <= cells; x++)
-      mesh.vertices.push_back(field().vertex(column + (x << part.level), row + (y << part.level)));
-  m_patterns.append(part.level, part.sides, first, mesh.indices);
+void TeGeoMipMapping::appendPart(std::size_t part, TeLodMesh& mesh) const {
+  m_mesh.append(TeGeoMipPart::of(selection().parts[part].key, m_patches), mesh);
 }

@@ -3,6 +3,7 @@
 #include "nodes/lod/TeLodBox.h"
 #include "nodes/lod/TeLodMethod.h"
 #include "nodes/lod/geomipmap/TeGeoMipErrors.h"
+#include "nodes/lod/geomipmap/TeGeoMipMesh.h"
 #include "nodes/lod/geomipmap/TeGeoMipPatterns.h"
 
 #include <memory>
@@ -35,20 +36,12 @@ public:
 
   std::string name() const override { return "geomipmap"; }
   const TeLodDial& dial() const override;
+  bool morphs() const override { return true; }
   double bytesPerSample() const override;
   void appendPart(std::size_t part, TeLodMesh& mesh) const override;
 
   const TeGeoMipErrors& errors() const { return m_errors; }
   const TeGeoMipPatterns& patterns() const { return m_patterns; }
-
-  /// What a part is, by its key.
-  struct Part {
-    int x = 0; ///< patch
-    int y = 0;
-    int level = 0;
-    TeGeoMipSides sides{};
-  };
-  Part partOf(std::uint64_t key) const;
 
 protected:
   void choose(const TeLodView& view, const TeLodAccuracy& accuracy, TeAllowance& allowance,
@@ -63,15 +56,20 @@ private:
     int y = 0;
     double distance = 0;
     double largest = 0; ///< deviation that is within the wanted error
+    int weight = TeGeoMipPart::kWhole;
   };
   struct Wish;
 
   void visit(const Wish& wish, int height, int x, int y, unsigned planes, TeLodSelection& selection);
   void draw(const Wish& wish, int x, int y, const TeLodBox& box);
+  int morphLevel(const Wish& wish, const TeGeoMipErrors::Patch& errors, double largest) const;
   void refineNeighbours();
+  void weigh(const Wish& wish);
+  void raiseWeight(Drawn& drawn, double share);
+  void raiseWeights();
+  TeGeoMipPart partOf(const Drawn& drawn) const;
   void report(const Wish& wish, TeLodSelection& selection);
   TeLodBox box(int height, int x, int y) const;
-  std::uint64_t keyOf(const Drawn& drawn, int level, const TeGeoMipSides& sides) const;
 
   /// Of patches, with a rim of patches that are not there.
   std::size_t cell(int x, int y) const {
@@ -84,6 +82,7 @@ private:
 
   TeGeoMipPatterns m_patterns;
   TeGeoMipErrors m_errors;
+  TeGeoMipMesh m_mesh;
   int m_patches;
   /// [height][y·side + x]: ranges of 2^height patches a side, from height 1 on.
   std::vector<std::vector<TeGeoMipErrors::Range>> m_ranges;

@@ -1,6 +1,8 @@
 #pragma once
 
+#include "nodes/lod/TeLodMesh.h"
 #include "nodes/lod/TeLodMethod.h"
+#include "nodes/lod/TeLodSelection.h"
 #include "nodes/lod/TeScreenError.h"
 #include "nodes/lod/TeWatertight.h"
 #include "nodes/seamless/SeamlessViews.h"
@@ -159,4 +161,47 @@ inline void expectThatKeysStandForTriangles(TeLodMethod& method, TeLodMethod& ag
     }
   }
   EXPECT_GT(met, 100);
+}
+
+/// 128 cells of 8 m, for largestJump().
+template <class Random> TeLodFieldPtr hillsToDescendOn(Random& random) {
+  TeLodField::Placement placement;
+  placement.spacing = 8;
+  return TeLodField::create(std::make_shared<const TeHeightMap>(stressMap(StressField::Rough, 128, random)),
+                            placement)
+      .value();
+}
+
+/// Descending on it, with 3 pixels wanted: the largest number of pixels by which a vertex moves from one
+/// frame to the next. Vertices on every `apart`-th row or column are left out (1: none), where parts have
+/// their own.
+inline double largestJump(TeLodMethod& method, bool geomorph, int apart) {
+  const TeLodField& field = method.field();
+  const int cells = field.cells();
+  double jump = 0;
+  std::vector<float> before;
+  for (int frame = 0; frame < 300; frame++) {
+    const TeLodView view = viewFrom({500, 400, 8000 - 25.0 * frame});
+    TeLodAccuracy accuracy;
+    accuracy.pixelError = 3;
+    accuracy.geomorph = geomorph;
+    method.select(view, accuracy);
+    EXPECT_LE(method.selection().errorBound, 3);
+    std::vector<float> now(std::size_t(cells + 1) * std::size_t(cells + 1), NAN);
+    const TeLodMesh mesh = meshOf(method);
+    for (const std::uint32_t index : mesh.indices) {
+      const TeLodVertex& vertex = mesh.vertices[index];
+      if (apart == 1 || (vertex.column % apart != 0 && vertex.row % apart != 0))
+        now[std::size_t(vertex.row * (cells + 1) + vertex.column)] = vertex.height;
+    }
+    for (std::size_t i = 0; i < before.size(); i++) {
+      if (std::isnan(before[i]) || std::isnan(now[i]))
+        continue;
+      const glm::dvec3 at = field.position(int(i) % (cells + 1), int(i) / (cells + 1), double(now[i]));
+      jump = std::max(
+          jump, view.pixels(std::fabs(double(now[i]) - double(before[i])), glm::distance(view.eye, at)));
+    }
+    before = std::move(now);
+  }
+  return jump;
 }

@@ -10,11 +10,25 @@ std::unique_ptr<TeLodMethod> methodOver(TeLodFieldPtr field, int patchCells = 0)
   return std::move(TeGeoMipMapping::create(std::move(field), settings).value());
 }
 
+/// Vertices at one sample that are not at the same height.
+int differing(const TeLodField& field, const TeLodMesh& mesh) {
+  std::vector<float> heights(std::size_t(field.cells() + 1) * std::size_t(field.cells() + 1), NAN);
+  int count = 0;
+  for (const std::uint32_t index : mesh.indices) {
+    const TeLodVertex& vertex = mesh.vertices[index];
+    float& height = heights[std::size_t(vertex.row * (field.cells() + 1) + vertex.column)];
+    if (std::isnan(height))
+      height = vertex.height;
+    count += height != vertex.height;
+  }
+  return count;
+}
+
 } // namespace
 
 TEST(TeGeoMipMapping, neverHasACrack) {
   std::mt19937 random(5);
-  int meshes = 0, levels = 0;
+  int meshes = 0, levels = 0, morphed = 0;
   for (int kind = 0; kind <= int(StressField::Flat); kind++)
     for (const auto& [cells, patchCells] : {std::pair(64, 4), std::pair(64, 16), std::pair(64, 32)}) {
       const TeLodFieldPtr field = anyField(StressField(kind), cells, random);
@@ -22,23 +36,30 @@ TEST(TeGeoMipMapping, neverHasACrack) {
       TeWatertight mesh(cells);
       for (int camera = 0; camera < 150; camera++) {
         method->select(anyView(*field, true, random), anyAccuracy(random));
+        const TeLodMesh triangles = meshOf(*method);
         mesh.clear();
-        addTo(mesh, *field, meshOf(*method));
+        addTo(mesh, *field, triangles);
+        ASSERT_EQ(differing(*field, triangles), 0) << "field " << kind << " camera " << camera;
         ASSERT_EQ(mesh.cracks(), 0) << "field " << kind << " camera " << camera;
         ASSERT_EQ(mesh.slivers(), 0);
         ASSERT_TRUE(mesh.coversSquare());
         meshes++;
         int widest = 0;
+        bool isMorphed = false;
         for (const TeLodPart& part : method->selection().parts) {
-          const auto is = static_cast<const TeGeoMipMapping&>(*method).partOf(part.key);
+          const TeGeoMipPart is = TeGeoMipPart::of(part.key, cells / patchCells);
           for (const int side : is.sides)
             widest = std::max(widest, side - is.level);
+          isMorphed = isMorphed || (is.weight > 0 && is.weight < TeGeoMipPart::kWhole);
         }
         levels += widest > 1;
+        morphed += isMorphed;
       }
     }
   EXPECT_GT(levels, meshes / 20); // neighbours do differ by more than one level
-  std::printf("%d meshes, %d of them with neighbours more than one level apart: no cracks\n", meshes, levels);
+  EXPECT_GT(morphed, meshes / 20);
+  std::printf("%d meshes, %d of them with neighbours more than one level apart, %d morphed: no cracks\n",
+              meshes, levels, morphed);
 }
 
 TEST(TeGeoMipMapping, itsBoundHolds) {
@@ -134,4 +155,17 @@ TEST(TeGeoMipMapping, itsDialIsAThresholdInPixels) {
     before = method->selection().triangles;
   }
   EXPECT_EQ(before, 2 * 32 * 32);
+}
+
+// Not as little by little as where parts have no neighbours: when one changes its level, what the strip beside
+// it asks of a weight changes at once. But never by more than is wanted.
+TEST(TeGeoMipMapping, morphingMovesVerticesWithinTheWantedError) {
+  std::mt19937 random(13);
+  const TeLodFieldPtr field = hillsToDescendOn(random);
+  const auto method = methodOver(field, 8);
+  EXPECT_EQ(largestJump(*method, false, 1), 0); // vertices are at their heights; what pops is between them
+  const double jump = largestJump(*method, true, 1);
+  EXPECT_GT(jump, 0);
+  EXPECT_LE(jump, 3);
+  std::printf("wanted 3 px: vertices move by up to %.3f px a frame\n", jump);
 }
