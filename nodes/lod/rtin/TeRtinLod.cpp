@@ -1,5 +1,7 @@
 #include "nodes/lod/rtin/TeRtinLod.h"
 
+#include "nodes/lod/quadtree/TeQuadtreeBudget.h"
+
 #include <algorithm>
 #include <limits>
 
@@ -11,6 +13,8 @@ constexpr std::uint64_t kHalved = 2;
 
 /// Fewer triangles are always counted to the end, so that there is a mesh even with a budget of one.
 constexpr std::int64_t kLeastBudget = 4096;
+constexpr std::int64_t kGivenUp = 4;    ///< times the budget
+constexpr double kExactStep = 1.0 / 64; ///< pixels, where an exact selection has to be lowered
 
 /// The finalizer of MurmurHash3 (Appleby 2011).
 std::uint64_t mixed(std::uint64_t bits) {
@@ -80,25 +84,35 @@ void TeRtinLod::mark(const Corner& vertex) {
 }
 
 void TeRtinLod::markWhatIsNeeded(TeRtinTest& test, const TeRtinTriangle& triangle, std::uint32_t planes,
-                                 TeLodSelection& selection) {
+                                 double distance, TeLodSelection& selection) {
   if (m_terminals > m_most)
     return;
   selection.visited++;
+  // Errors are at least those of dependent vertices, and their boxes lie in this one: what is fine needs
+  // nothing below, either, also if its neighbour halves it.
+  if (triangle.isSmallest()) {
+    m_terminals++;
+    return;
+  }
+  const Corner middle = triangle.middle();
+  const float error = m_errors[indexOf(middle)];
+  if (test.isFineAnyway(error, distance)) { // at the distance of the box around this one's
+    m_terminals++;
+    return;
+  }
   const TeRtinTest::Box box = test.box(triangle);
   if (!test.isSeen(box, planes)) {
     selection.culled++;
     return;
   }
-  // Errors are at least those of dependent vertices, and their boxes lie in this one: what is fine needs
-  // nothing below, either, also if its neighbour halves it.
-  const Corner middle = triangle.middle();
-  if (triangle.isSmallest() || test.isFine(m_errors[indexOf(middle)], box)) {
+  const double own = test.distanceTo(box);
+  if (test.isFine(error, own)) {
     m_terminals++;
     return;
   }
   mark(middle);
-  markWhatIsNeeded(test, triangle.firstHalf(), planes, selection);
-  markWhatIsNeeded(test, triangle.secondHalf(), planes, selection);
+  markWhatIsNeeded(test, triangle.firstHalf(), planes, own, selection);
+  markWhatIsNeeded(test, triangle.secondHalf(), planes, own, selection);
 }
 
 void TeRtinLod::emit(const TeRtinTest& test, const TeRtinTriangle& triangle, std::uint32_t planes) {
@@ -138,30 +152,45 @@ void TeRtinLod::emitParts(const TeRtinTest& test, const TeRtinTriangle& triangle
   selection.triangles += std::int64_t(count);
 }
 
-void TeRtinLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy, TeAllowance&,
-                       TeLodSelection& selection) {
-  TeRtinTest test(field(), m_ranges, view, accuracy);
+std::int64_t TeRtinLod::make(TeRtinTest& test, TeLodSelection& selection) {
+  selection.parts.clear();
+  selection.triangles = selection.visited = selection.culled = 0;
   m_terminals = 0;
-  m_most = std::max(accuracy.maxTriangles, kLeastBudget);
   m_corners.clear();
   m_parts.clear();
   clearMarks();
   const TeRtinTriangle halves[] = {TeRtinTriangle::root(field().cellsLog(), 0),
                                    TeRtinTriangle::root(field().cellsLog(), 1)};
   for (const TeRtinTriangle& half : halves)
-    markWhatIsNeeded(test, half, test.allPlanes(), selection);
-  if (m_terminals > m_most) { // it is asked again
-    selection.triangles = m_terminals;
-    return;
-  }
+    markWhatIsNeeded(test, half, test.allPlanes(), 0, selection);
+  if (m_terminals > m_most)
+    return m_terminals;
   emitParts(test, halves[0], test.allPlanes(), 2, selection);
   emitParts(test, halves[1], test.allPlanes(), 3, selection);
+  return selection.triangles;
+}
 
-  if (test.isExact())
-    selection.errorBound = 0;
-  else if (m_error == TeRtinError::Exact)
-    selection.errorBound = test.worst();
-  selection.dial = accuracy.dial > 0 ? accuracy.dial : test.worstMetres();
+void TeRtinLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy, TeAllowance&,
+                       TeLodSelection& selection) {
+  const bool usesDial = accuracy.dial > 0;
+  const double first = usesDial ? accuracy.dial : std::max(accuracy.pixelError, kExactStep);
+  m_most = std::max(kGivenUp * accuracy.maxTriangles, kLeastBudget);
+  const auto triangles = [&](double coarsening) {
+    TeLodAccuracy tried = accuracy;
+    if (coarsening > 1)
+      (usesDial ? tried.dial : tried.pixelError) = first * coarsening;
+    TeRtinTest test(field(), m_ranges, view, tried);
+    const std::int64_t made = make(test, selection);
+    selection.errorBound = test.isExact()                  ? 0
+                           : m_error == TeRtinError::Exact ? test.worst()
+                                                           : std::numeric_limits<double>::infinity();
+    selection.dial = usesDial ? tried.dial : test.worstMetres();
+    return made;
+  };
+  const double last = m_acceptedDial == usesDial ? m_accepted / first : 0;
+  selection.coarsening = TeQuadtreeBudget::search(accuracy.maxTriangles, std::max(1.0, last), triangles);
+  m_accepted = selection.coarsening > 1 ? first * selection.coarsening : 0;
+  m_acceptedDial = usesDial;
 }
 
 void TeRtinLod::appendPart(std::size_t number, TeLodMesh& mesh) const {

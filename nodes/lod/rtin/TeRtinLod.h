@@ -16,8 +16,10 @@
 /// With exact errors the bound holds. With midpoint errors, the usual ones, there is none: errorBound is
 /// infinite, unless all samples are drawn.
 ///
-/// Chosen anew each time, from the two halves of the terrain down; no node is stored. Memory: 4 bytes a
-/// sample for errors, 0.67 for ranges of heights, 1/8 for marks. Cost: in proportion to the triangles.
+/// Chosen anew each time, from the two halves of the terrain down; no node is stored. A budget that is too
+/// small for what is wanted is used to 95 % at least, where a mesh has so many; the search for that begins
+/// with what the last selection came to, and ends there if it still does. Memory: 4 bytes a sample for
+/// errors, 0.67 for ranges of heights, 1/8 for marks. Cost: in proportion to the triangles.
 class TeRtinLod final : public TeLodMethod {
 public:
   TeRtinLod(TeLodFieldPtr field, TeRtinError error);
@@ -32,6 +34,7 @@ public:
 protected:
   void choose(const TeLodView& view, const TeLodAccuracy& accuracy, TeAllowance& allowance,
               TeLodSelection& selection) override;
+  bool coarsens() const override { return false; }
 
 private:
   static constexpr int kPartsLog = 3; ///< parts are halves of squares of the terrain's side / 2^kPartsLog
@@ -48,10 +51,12 @@ private:
     return std::size_t(corner.row) * std::size_t(m_cells + 1) + std::size_t(corner.column);
   }
   bool isMarked(std::size_t index) const { return (m_marks[index / 64] >> (index % 64) & 1) != 0; }
+  /// Makes a mesh; returns its triangles, or at least as many as have been counted when it was given up.
+  std::int64_t make(TeRtinTest& test, TeLodSelection& selection);
   void clearMarks();
   void mark(const Corner& vertex);
   void markWhatIsNeeded(TeRtinTest& test, const TeRtinTriangle& triangle, std::uint32_t planes,
-                        TeLodSelection& selection);
+                        double distance, TeLodSelection& selection);
   void emitParts(const TeRtinTest& test, const TeRtinTriangle& triangle, std::uint32_t planes,
                  std::uint64_t number, TeLodSelection& selection);
   void emit(const TeRtinTest& test, const TeRtinTriangle& triangle, std::uint32_t planes);
@@ -64,7 +69,9 @@ private:
   std::vector<std::uint64_t> m_marks; ///< a bit a sample: it is a vertex
   std::vector<std::uint32_t> m_marked;
   std::int64_t m_terminals = 0; ///< triangles found fine
-  std::int64_t m_most = 0;
+  std::int64_t m_most = 0;      ///< of them; more is given up
+  double m_accepted = 0;        ///< last pixelError, or dial, that kept the budget; 0: none
+  bool m_acceptedDial = false;
   std::vector<std::uint32_t> m_corners; ///< samples, three a triangle
   std::vector<Part> m_parts;
 

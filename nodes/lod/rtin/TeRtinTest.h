@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 /// Asks of right triangles whether a view sees them, and whether their errors are small enough for it.
 class TeRtinTest {
@@ -38,7 +39,7 @@ public:
   /// False if nothing of a box is seen. Takes planes away that do not cut it: they need not be tried for what
   /// it contains.
   bool isSeen(const Box& box, std::uint32_t& planes) const {
-    for (int i = 0; i < m_view.planeCount; i++) {
+    for (int i = 0; planes >> i != 0; i++) {
       if ((planes >> i & 1) == 0)
         continue;
       const glm::dvec4& plane = m_view.planes[std::size_t(i)];
@@ -56,20 +57,31 @@ public:
     return true;
   }
 
-  /// Whether an error, in the unit of the samples, is small enough in a box; then it counts for worst() and
-  /// worstMetres().
-  bool isFine(float error, const Box& box) {
-    if (m_isExact)
-      return false;
+  /// From the nearest place that the eye may be at to a box; 1 without perspective.
+  double distanceTo(const Box& box) const {
+    if (!m_view.perspective)
+      return 1;
+    const glm::dvec3& eye = m_view.eye;
+    const double x = std::max(std::max(box.low.x - eye.x, eye.x - box.high.x), 0.0);
+    const double y = std::max(std::max(box.low.y - eye.y, eye.y - box.high.y), 0.0);
+    const double z = std::max(std::max(box.low.z - eye.z, eye.z - box.high.z), 0.0);
+    return std::max(std::sqrt(x * x + y * y + z * z) - m_view.slack, 0.0);
+  }
+
+  /// Whether an error, in the unit of the samples, is small enough at a distance; then it counts for worst()
+  /// and worstMetres().
+  bool isFine(float error, double distance) {
     const double metres = double(error) * m_field.heightScale();
-    if (m_usesDial && metres > m_wanted)
-      return false;
     const double pixels = kRounding * metres * m_view.focal;
-    const double distance = m_view.perspective ? distanceTo(box) : 1;
-    if (!m_usesDial && pixels > m_wanted * distance)
+    if (m_isExact || (m_usesDial ? metres > m_wanted : pixels > m_wanted * distance))
       return false;
     count(metres, pixels, distance);
     return true;
+  }
+  /// The same where only a distance is known that may be too small: true spares the rest. False, unless there
+  /// is no error, with a dial, where distances do not decide.
+  bool isFineAnyway(float error, double distance) {
+    return (!m_usesDial || error == 0) && isFine(error, distance);
   }
 
   double worst() const { return m_worst; }             ///< pixels, rounded up
@@ -91,14 +103,6 @@ private:
     const TeRtinRanges::Range b =
         m_ranges.range(log - 1, column + (along ? half : 0), row + (along ? 0 : half));
     return {std::min(a.low, b.low), std::max(a.high, b.high)};
-  }
-
-  double distanceTo(const Box& box) const {
-    const glm::dvec3& eye = m_view.eye;
-    const double x = std::max(std::max(box.low.x - eye.x, eye.x - box.high.x), 0.0);
-    const double y = std::max(std::max(box.low.y - eye.y, eye.y - box.high.y), 0.0);
-    const double z = std::max(std::max(box.low.z - eye.z, eye.z - box.high.z), 0.0);
-    return std::max(std::sqrt(x * x + y * y + z * z) - m_view.slack, 0.0);
   }
 
   void count(double metres, double pixels, double distance) {

@@ -131,9 +131,20 @@ TEST(TeRtinLod, LowersTheAccuracyForABudget) {
   accuracy.maxTriangles = all / 10;
   method.select(view, accuracy);
   EXPECT_LE(method.selection().triangles, all / 10);
+  EXPECT_GE(method.selection().triangles, all / 10 * 0.95);
   EXPECT_GT(method.selection().coarsening, 1);
   EXPECT_LE(method.selection().errorBound, method.selection().coarsening / 64);
   EXPECT_EQ(measured(*field, meshOf(method), view).uncovered, 0);
+  // What keeps the budget is kept, from near by, too.
+  const double coarsening = method.selection().coarsening;
+  TeLodView near = view;
+  near.eye.x += 1e-3 * side;
+  method.select(near, accuracy);
+  EXPECT_EQ(method.selection().coarsening, coarsening);
+  accuracy.maxTriangles = 2 * all;
+  method.select(view, accuracy);
+  EXPECT_EQ(method.selection().coarsening, 1);
+  EXPECT_EQ(method.selection().triangles, all);
   // As coarse as can be, if even that is too much.
   accuracy.maxTriangles = 1;
   method.select(view, accuracy);
