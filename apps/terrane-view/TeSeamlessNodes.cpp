@@ -20,6 +20,23 @@ bool hasPictures(const Node& node, int colouring) {
   return true;
 }
 
+/// All nodes of a class, each once.
+template <class Type> std::vector<TeNodePtr<Type>> allOf(SoNode* scene) {
+  SoSearchAction search;
+  search.setType(Type::getClassTypeId());
+  search.setInterest(SoSearchAction::ALL);
+  search.setSearchingAll(TRUE);
+  search.apply(scene);
+  std::vector<TeNodePtr<Type>> nodes;
+  for (int i = 0; i < search.getPaths().getLength(); ++i) {
+    Type* node = static_cast<Type*>(search.getPaths()[i]->getTail());
+    const auto same = [&](const TeNodePtr<Type>& other) { return other.get() == node; };
+    if (std::none_of(nodes.begin(), nodes.end(), same))
+      nodes.emplace_back(node);
+  }
+  return nodes;
+}
+
 /// Only where it differs, so that nothing is redrawn without need.
 template <class Field, class Value> void set(Field& field, const Value& value) {
   if (field.getValue() != value)
@@ -28,18 +45,8 @@ template <class Field, class Value> void set(Field& field, const Value& value) {
 
 } // namespace
 
-TeSeamlessNodes::TeSeamlessNodes(SoNode* scene, const TeViewOptions& options) {
-  SoSearchAction search;
-  search.setType(Node::getClassTypeId());
-  search.setInterest(SoSearchAction::ALL);
-  search.setSearchingAll(TRUE);
-  search.apply(scene);
-  for (int i = 0; i < search.getPaths().getLength(); ++i) {
-    Node* node = static_cast<Node*>(search.getPaths()[i]->getTail());
-    const auto same = [&](const TeNodePtr<Node>& other) { return other.get() == node; };
-    if (std::none_of(m_nodes.begin(), m_nodes.end(), same))
-      m_nodes.emplace_back(node);
-  }
+TeSeamlessNodes::TeSeamlessNodes(SoNode* scene, const TeViewOptions& options)
+    : m_nodes(allOf<Node>(scene)), m_others(allOf<SoTeLodTerrain>(scene)) {
   if (options.precision)
     setPrecision(*options.precision);
   if (options.pixelError)
@@ -105,6 +112,8 @@ void TeSeamlessNodes::setInstancing(bool on) {
 void TeSeamlessNodes::setGeomorph(bool on) {
   for (const TeNodePtr<Node>& node : m_nodes)
     set(node->geomorph, SbBool(on));
+  for (const TeNodePtr<SoTeLodTerrain>& node : m_others)
+    set(node->geomorph, SbBool(on));
 }
 
 void TeSeamlessNodes::setPrecision(double precision) {
@@ -117,10 +126,14 @@ void TeSeamlessNodes::setPrecision(double precision) {
 void TeSeamlessNodes::setPixelError(double pixels) {
   for (const TeNodePtr<Node>& node : m_nodes)
     set(node->pixelError, float(pixels));
+  for (const TeNodePtr<SoTeLodTerrain>& node : m_others)
+    set(node->pixelError, float(pixels));
 }
 
 void TeSeamlessNodes::setWireframe(bool on) {
   for (const TeNodePtr<Node>& node : m_nodes)
+    set(node->wireframe, SbBool(on));
+  for (const TeNodePtr<SoTeLodTerrain>& node : m_others)
     set(node->wireframe, SbBool(on));
 }
 
@@ -137,5 +150,7 @@ void TeSeamlessNodes::nextColouring() {
 
 void TeSeamlessNodes::setLodCamera(SoCamera* camera) {
   for (const TeNodePtr<Node>& node : m_nodes)
+    set(node->lodCamera, static_cast<SoNode*>(camera));
+  for (const TeNodePtr<SoTeLodTerrain>& node : m_others)
     set(node->lodCamera, static_cast<SoNode*>(camera));
 }

@@ -4,6 +4,7 @@
 #include "nodes/clipmap/SoTeClipmap.h"
 #include "nodes/clipmap/TeClipWindows.h"
 #include "nodes/clipmap/TePyramidReader.h"
+#include "nodes/lod/SoTeLodTerrain.h"
 #include "nodes/seamless/SoTeSeamlessPatches.h"
 #include "nodes/seamless/TeSeamlessSlopeColours.h"
 
@@ -44,7 +45,7 @@ int colouringOf(const TeViewOptions& options) {
 }
 
 /// What the node says of its fields, which Coin need not tell, too.
-TeStatus check(SoTeSeamlessPatches& node) {
+template <class Node> TeStatus check(Node& node) {
   SoErrorCB* const handler = SoDebugError::getHandlerCallback();
   void* const data = SoDebugError::getHandlerData();
   SoDebugError::setHandlerCallback([](const SoError*, void*) {}, nullptr);
@@ -74,6 +75,13 @@ SoTeSeamlessPatches* makeNode(const TeViewOptions& options) {
   return node;
 }
 
+SoTeLodTerrain* makeLodNode(const TeViewOptions& options) {
+  auto* node = new SoTeLodTerrain;
+  node->method = options.method.c_str();
+  node->coloring = options.colouring == "plain" ? SoTeLodTerrain::PLAIN : SoTeLodTerrain::HEIGHT;
+  return node;
+}
+
 /// Lines between kinds of ground by the heights that there are, not all that 16 bits could tell.
 void setGround(SoTeSeamlessPatches& node, const TeHeightMap& map, double unit, double offset) {
   const TeMapStatistics range = map.statistics();
@@ -99,6 +107,15 @@ TeResult<TeTerrainScene> TeTerrainScene::fromMap(const TeDemMap& dem, const TeVi
   scene.spacing = side / dem.cells();
   scene.corner = {-0.5 * side, -0.5 * side, 0};
   scene.root = new SoSeparator;
+  if (!options.method.empty()) {
+    SoTeLodTerrain* node = makeLodNode(options);
+    scene.root->addChild(node);
+    node->size = SbVec3f(float(side), float(side), 1);
+    node->setHeights(scene.coarse);
+    if (const TeStatus ok = check(*node); !ok)
+      return TeError{options.dem + ": " + ok.error().message};
+    return scene;
+  }
   SoTeSeamlessPatches* node = makeNode(options);
   scene.root->addChild(node);
   node->size = SbVec3f(float(side), float(side), 1);

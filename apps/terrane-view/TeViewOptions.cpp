@@ -2,6 +2,7 @@
 
 #include "apps/terrane-view/TeViewPath.h"
 #include "nodes/clipmap/TeClipWindows.h"
+#include "nodes/lod/TeLodMethods.h"
 
 #include <cmath>
 #include <cstdio>
@@ -72,6 +73,12 @@ void TeViewOptions::addTerrain(TeCommandLine& commandLine) {
   commandLine
       .addNumber("--height-scale", heightScale, 1e-9, 1e6,
                  "Stretches heights; of a pyramid: metres a step (default: 1, or as the pyramid says)")
+      ->group(group);
+  cli.add_option("--method", method, "LOD method that draws --dem (default: Seamless Patches on the GPU)")
+      ->check(CLI::IsMember(TeLodMethods::names()))
+      ->option_text("NAME")
+      ->needs("--dem")
+      ->excludes("--clipmaps")
       ->group(group);
   commandLine
       .addInteger("--clip-size", clipSize, TeClipWindows::kMinSize, TeClipWindows::kMaxSize,
@@ -180,6 +187,8 @@ TeStatus TeViewOptions::check() const {
     return TeError{"--patch-resolution: must be a power of two, not " + std::to_string(patchResolution)};
   if (!scene.empty() && (side != 0 || heightScale != 0))
     return TeError{"--size-m and --height-scale are for --dem and --clipmaps"};
+  if (!method.empty() && (!texture.empty() || !colours.empty() || !mask.empty() || precision || classic))
+    return TeError{"--method draws in plain colours or by height, to a --pixel-error"};
   const bool hasTexture = !texture.empty() || !colours.empty();
   const bool hasDetails = !mask.empty() && details.size() == kDetails;
   if (colouring == "texture" && !hasTexture)

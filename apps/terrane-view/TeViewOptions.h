@@ -25,6 +25,7 @@ struct TeViewOptions {
   double side = 0;        ///< metres a side of the terrain; 0 = as the file or pyramid says
   double heightScale = 0; ///< stretches metres; of a pyramid metres a step; 0 = as the file or pyramid says
 
+  std::string method; ///< LOD method that draws an elevation file; empty = Seamless Patches on the GPU
   int clipSize = 513;
   int patchResolution = 16; ///< the lowest
   int levels = 3;
