@@ -35,8 +35,7 @@ void TeQuadtreeLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy,
   const auto triangles = [&](double coarsening) {
     wish.pixelError = coarsening > 1 ? first * coarsening : accuracy.pixelError;
     wish.threshold = accuracy.dial / coarsening;
-    m_key += m_mesh.update(view, wish).changed;
-    return m_mesh.result().triangles;
+    return m_mesh.update(view, wish).triangles;
   };
   const double last = usesDial ? accuracy.dial / m_accepted : m_accepted / first;
   const bool wasCoarser = m_accepted > 0 && m_acceptedDial == usesDial && last > 1 && std::isfinite(last);
@@ -45,8 +44,14 @@ void TeQuadtreeLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy,
   m_acceptedDial = usesDial;
 
   const TeQuadtreeMesh::Result& result = m_mesh.result();
-  if (result.triangles > 0)
-    selection.parts.push_back({m_key, result.triangles});
+  m_chosen.clear();
+  for (std::size_t part = 0; part < m_mesh.parts().size(); part++) {
+    const TeQuadtreeMesh::Part& drawn = m_mesh.parts()[part];
+    if (drawn.triangles == 0)
+      continue;
+    selection.parts.push_back({drawn.key, drawn.triangles});
+    m_chosen.push_back(part);
+  }
   selection.triangles = result.triangles;
   selection.visited = result.visited;
   selection.culled = result.culled;
@@ -57,4 +62,6 @@ void TeQuadtreeLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy,
   selection.coarsening = coarsening;
 }
 
-void TeQuadtreeLod::appendPart(std::size_t, TeLodMesh& mesh) const { m_mesh.append(mesh); }
+void TeQuadtreeLod::appendPart(std::size_t part, TeLodMesh& mesh) const {
+  m_mesh.append(m_mesh.parts()[m_chosen[part]], mesh);
+}

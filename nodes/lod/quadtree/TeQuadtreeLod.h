@@ -6,7 +6,7 @@
 #include <memory>
 
 /// The adaptive quadtree (docs/adaptive-quadtree.md) as one of the methods; the dial is the document's
-/// threshold: an error of z / threshold is accepted at distance z. One part, whose key changes with the mesh.
+/// threshold: an error of z / threshold is accepted at distance z. Parts are squares of a 16th of the side.
 /// A budget that is too small for what is wanted is used to 95 % at least, where the mesh has a step there,
 /// and the accuracy that was found is kept as long as that is so.
 /// Here the data tree is dense; sparse and procedural ones are drawn from TeQuadtreeMesh.
@@ -35,7 +35,7 @@ private:
 
   const TeQuadtree m_tree;
   TeQuadtreeMesh m_mesh;
-  std::uint64_t m_key = 0;
+  std::vector<std::size_t> m_chosen; ///< parts of the mesh, by those of the selection
   bool m_acceptedDial = false;
   double m_accepted =
       0; ///< last pixelError, or threshold, that kept the budget; where the next search starts

@@ -49,8 +49,20 @@ public:
   /// Forgets what was displayed.
   void clear();
   const Result& result() const { return m_result; }
+  /// What is displayed, in squares of a kPartsPerSide-th of the terrain's side, and one part of all larger
+  /// squares. The same key: the same triangles, bit for bit.
+  struct Part {
+    std::uint32_t place; ///< row · kPartsPerSide + column of the square; the number of these: larger squares
+    std::int64_t triangles;
+    std::uint64_t key;
+  };
+  static constexpr int kPartDepth = 4; ///< below the root
+  static constexpr int kPartsPerSide = 1 << kPartDepth;
+  const std::vector<Part>& parts() const { return m_parts; }
+
   /// Appends the triangles, with one vertex for each place.
   void append(TeLodMesh& mesh) const;
+  void append(const Part& part, TeLodMesh& mesh) const;
 
   std::size_t bytes() const;
   /// What breaks the rules, a count or a link; empty if nothing does. For tests. Cost: a pass over the mesh.
@@ -87,11 +99,19 @@ private:
     std::uint32_t vertices[5]; ///< middles of the edges, 0: none; centre
   };
   struct Drawn {
+    std::int32_t x, y;
+    std::uint32_t shape; ///< sideLog · 256 + bits 0..3: middles of edges that are enabled, 4..7: children
     std::uint32_t square;
-    std::uint32_t enabled; ///< bits 0..3: middles of edges, 4..7: children
+    /// The same triangles; the record of the square may be another one.
     friend bool operator==(const Drawn& a, const Drawn& b) {
-      return a.square == b.square && a.enabled == b.enabled;
+      return a.x == b.x && a.y == b.y && a.shape == b.shape;
     }
+  };
+  /// Of m_drawn.
+  struct Range {
+    std::uint32_t first = 0;
+    std::uint32_t count = 0; ///< 0: nothing of the part is drawn
+    std::uint64_t key = 0;
   };
 
   bool isMarked(std::uint32_t square) const { return square != 0 && m_squares[square].mark == m_frame; }
@@ -114,6 +134,9 @@ private:
   void removeSquare(std::uint32_t number);
   void removeEdge(std::uint32_t number, int side);
   void draw(std::uint32_t number);
+  void drawTogether(bool isAnew);
+  void beginAppend() const;
+  void appendRange(std::size_t first, std::size_t count, TeLodMesh& mesh) const;
   void boundDrawn(std::uint32_t number, std::uint32_t enabled);
   float ownWeight(double error, const TeQuadtreeBox& box) const;
   float centreWeight(std::uint32_t number);
@@ -141,5 +164,14 @@ private:
   std::vector<Drawn> m_lastDrawn;
   bool m_morphed = false;
   Result m_result;
-  mutable std::vector<std::uint32_t> m_numbers; ///< of vertices in append()
+  std::vector<Drawn> m_large; ///< squares that are no part of a part
+  std::vector<Part> m_parts;
+  std::vector<Range> m_ranges; ///< by Part::place
+  std::vector<Range> m_lastRanges;
+  std::uint64_t m_lastKey = 0;
+  struct Number {
+    std::uint32_t append, number;
+  };
+  mutable std::vector<Number> m_numbers; ///< of vertices in an append
+  mutable std::uint32_t m_append = 0;
 };
