@@ -25,7 +25,7 @@
 ///
 /// One thread at a time; the data tree must outlive this, and may change between updates.
 /// Cost of an update: in proportion to the displayed mesh, whatever the size of the data. No allocation once
-/// it has been as large before. Memory: 140 bytes a square and 28 bytes a vertex, of the displayed mesh.
+/// it has been as large before. Memory: about 170 bytes a square and 36 a vertex of the displayed mesh.
 class TeQuadtreeMesh {
 public:
   struct Wish {
