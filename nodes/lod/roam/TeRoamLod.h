@@ -33,7 +33,7 @@ public:
   std::string name() const override { return "roam"; }
   const TeLodDial& dial() const override { return m_dial; }
   double bytesPerSample() const override;
-  /// Cost: 15 ns a triangle.
+  /// Cost: 10 ns a triangle.
   void appendPart(std::size_t part, TeLodMesh& mesh) const override;
 
   const TeRoamMesh& mesh() const { return m_mesh; }

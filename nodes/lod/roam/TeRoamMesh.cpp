@@ -11,6 +11,9 @@
 
 namespace {
 
+constexpr std::int64_t kMostFree = 3; ///< times the triangles that exist
+constexpr std::int64_t kFewest = 1024;
+
 struct Counts {
   std::int64_t drawn = 0;
   std::int64_t culled = 0;
@@ -58,7 +61,27 @@ void TeRoamMesh::reset() {
   m_version++;
 }
 
+// The same splits again, level by level, so that none forces another.
+void TeRoamMesh::compact() {
+  std::vector<std::uint32_t> split;
+  for (std::int32_t node = 0; node < std::int32_t(m_nodes.size()); node++)
+    if (m_nodes.boxes().error[std::size_t(node)] >= 0 && !m_nodes[node].isLeaf())
+      split.push_back(m_nodes[node].number);
+  std::sort(split.begin(), split.end());
+  reset();
+  std::vector<std::int32_t> open = {0, 1};
+  for (std::size_t i = 0; i < open.size(); i++) {
+    if (!std::binary_search(split.begin(), split.end(), m_nodes[open[i]].number))
+      continue;
+    this->split(open[i]);
+    for (int k = 0; k < 4; k++)
+      open.push_back(m_nodes[open[i]].children + k);
+  }
+}
+
 void TeRoamMesh::setView(const TeLodView& view, float least) {
+  if (std::int64_t(m_nodes.size()) > kFewest + (1 + kMostFree) * m_nodes.live())
+    compact();
   const TeLodField& field = m_nodes.bounds().field();
   m_view.emplace(field, view, least);
   m_camera = view;

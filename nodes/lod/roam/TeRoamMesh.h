@@ -27,8 +27,9 @@ public:
 
   /// The base alone; a view must follow.
   void reset();
-  /// All priorities anew. `least`: in pixels, of triangles in view, whatever their error. Cost: 8 ns a
-  /// triangle.
+  /// All priorities anew; after much was merged, the rest moves together first, so that a frame costs what
+  /// its mesh does, whatever came before. `least`: in pixels, of triangles in view, whatever their error.
+  /// Cost: 5 to 7 ns a triangle.
   void setView(const TeLodView& view, float least);
 
   /// The leaf, after the coarser neighbours that have to be. Returns how many triangles were split. Cost: 0.2
@@ -62,6 +63,7 @@ public:
   std::size_t bytes() const;
 
 private:
+  void compact();
   const float* priorities() const {
     return m_metric == TeRoamMetric::ScreenError ? m_screen.data() : m_document.data();
   }

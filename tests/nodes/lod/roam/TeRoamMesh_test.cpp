@@ -115,3 +115,27 @@ TEST(TeRoamMesh, verticesAreSharedAndNoneIsLost) {
     mesh.split(mesh.splits().top());
   EXPECT_EQ(mesh.nodes().vertices().size(), 33u * 33u); // all were used again
 }
+
+TEST(TeRoamMesh, movesTogetherAfterMuchWasMerged) {
+  std::mt19937 random(26);
+  const TeLodFieldPtr field = stressTerrain(StressField::Rough, 64, random);
+  for (const TeRoamMetric metric : {TeRoamMetric::ScreenError, TeRoamMetric::Variance}) {
+    TeRoamMesh mesh(TeRoamBounds::create(field, true), metric, true);
+    mesh.setView(viewFrom({10, 10, 100}), 0);
+    while (!mesh.splits().empty())
+      mesh.split(mesh.splits().top());
+    const std::size_t most = mesh.nodes().size();
+    while (mesh.nodes().live() > 500)
+      mesh.merge(mesh.merges().top());
+    const std::vector<std::uint32_t> split = splitTriangles(mesh);
+    const std::int64_t live = mesh.nodes().live();
+    EXPECT_EQ(mesh.nodes().size(), most);
+    const std::uint64_t version = mesh.version();
+    mesh.setView(viewFrom({40, 10, 100}), 0);
+    EXPECT_EQ(RoamCheck(mesh).fault(), "");
+    EXPECT_EQ(splitTriangles(mesh), split);
+    EXPECT_EQ(mesh.nodes().live(), live);
+    EXPECT_LE(mesh.nodes().size(), std::size_t(live) + 2); // the base has four places
+    EXPECT_NE(mesh.version(), version);                    // vertices are numbered anew
+  }
+}
