@@ -8,6 +8,7 @@
 namespace {
 
 constexpr double kExactStep = 1.0 / 64; ///< pixels: TeLodSelection::coarsening
+constexpr double kCoarsest = 1e12;
 constexpr double kLargestWanted = 1e37;
 constexpr double kFewest = 0.97; ///< of the wanted number of triangles, before more are made
 /// By so much a triangle is more important than one that is merged for it; else the same two would take turns
@@ -82,7 +83,7 @@ void TeRoamLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy, TeA
   selection.dial = byCount ? accuracy.dial : double(selection.triangles);
   const double wanted = std::max(accuracy.pixelError, kExactStep);
   if (!byCount && m_isComplete && m_settings.metric == TeRoamMetric::ScreenError)
-    selection.coarsening = std::max(1.0, selection.errorBound / wanted);
+    selection.coarsening = std::clamp(selection.errorBound / wanted, 1.0, kCoarsest);
 }
 
 bool TeRoamLod::refine(const Goal& goal, TeAllowance& allowance, TeLodSelection& selection) {

@@ -194,12 +194,20 @@ void TeRoamMesh::merge(std::int32_t node) {
   m_version++;
 }
 
-std::int64_t TeRoamMesh::splitsFor(std::int32_t leaf) const {
-  std::int64_t count = 1;
+std::int64_t TeRoamMesh::growth(std::int32_t leaf) const {
+  m_collected.clear();
+  collectSplits(leaf);
+  return 6 * std::int64_t(m_collected.size());
+}
+
+// Some are needed by two others; they are few.
+void TeRoamMesh::collectSplits(std::int32_t leaf) const {
+  if (std::find(m_collected.begin(), m_collected.end(), leaf) != m_collected.end())
+    return;
+  m_collected.push_back(leaf);
   for (int edge = 0; edge < 3; edge++)
     if (m_nodes[leaf].neighbours[edge] == TeRoamNode::kNone)
-      count += splitsFor(m_nodes[m_nodes[leaf].parent].neighbours[edge]);
-  return count;
+      collectSplits(m_nodes[m_nodes[leaf].parent].neighbours[edge]);
 }
 
 void TeRoamMesh::setFan(std::int32_t number) {

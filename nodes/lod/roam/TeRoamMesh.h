@@ -37,17 +37,17 @@ public:
   int split(std::int32_t leaf);
   /// A triangle of the merge queue.
   void merge(std::int32_t node);
-  /// No fewer triangles than a split adds to those drawn.
-  std::int64_t growth(std::int32_t leaf) const { return 6 * splitsFor(leaf); }
+  /// No fewer triangles than a split adds to those drawn: six for each triangle that is split, of which three
+  /// are its children and three the halves of its neighbours.
+  std::int64_t growth(std::int32_t leaf) const;
 
   const TeRoamNodes& nodes() const { return m_nodes; }
   const TeRoamQueue& splits() const { return m_splits; }
   const TeRoamQueue& merges() const { return m_merges; }
   float priority(std::int32_t node) const { return priorities()[node]; }
   bool isSeen(std::int32_t node) const { return m_screen[std::size_t(node)] >= 0; }
-  bool isShown(std::int32_t node) const {
-    return (m_fans[std::size_t(node)] != 0) & isSeen(node);
-  } ///< a leaf in view
+  /// A leaf in view.
+  bool isShown(std::int32_t node) const { return (m_fans[std::size_t(node)] != 0) & isSeen(node); }
   /// Triangles that a leaf is drawn with; 0 if it is none.
   int fan(std::int32_t node) const { return m_fans[std::size_t(node)]; }
 
@@ -72,7 +72,7 @@ private:
   void applyFormula(std::int32_t first, float most);
   void applyFormulaBelow(std::int32_t node);
   float formula(std::int32_t node) const;
-  std::int64_t splitsFor(std::int32_t leaf) const;
+  void collectSplits(std::int32_t leaf) const;
   void setFan(std::int32_t node);
   void lockNeeded(std::int32_t node, int change);
   void changeLocks(std::int32_t node, int change);
@@ -92,6 +92,8 @@ private:
   std::vector<float> m_document; ///< of a metric of variances
   std::vector<std::uint8_t> m_fans;
   std::vector<std::uint8_t> m_shown; ///< was in view when the view was set
+
+  mutable std::vector<std::int32_t> m_collected; ///< of growth()
 
   std::int64_t m_drawn = 0;
   std::int64_t m_culled = 0;

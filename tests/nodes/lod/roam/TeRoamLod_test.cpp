@@ -3,6 +3,7 @@
 #include "nodes/lod/TeFlyover.h"
 #include "nodes/lod/TeLodMethods.h"
 #include "nodes/lod/TeScreenError.h"
+#include "nodes/lod/lodTrials.h"
 #include "nodes/lod/roam/RoamCheck.h"
 
 #include <cmath>
@@ -116,6 +117,11 @@ TEST(TeRoamLod, errorIsWithinTheBoundAndTheBoundWithinWhatIsWanted) {
     }
   }
   EXPECT_GT(samples, 100000);
+}
+
+TEST(TeRoamLod, boundsHoldWhereverTheTerrainLies) {
+  std::mt19937 random(36);
+  expectThatBoundsHold([](const TeLodFieldPtr& field) { return TeRoamLod::create(field); }, random);
 }
 
 TEST(TeRoamLod, zeroPixelsAreAllSamplesInView) {
@@ -266,6 +272,21 @@ TEST(TeRoamLod, aMovingViewIsFollowedWithinItsSlices) {
     complete += lod->select(flight.view(frame).lodView(), within(4), some);
   }
   EXPECT_GT(complete, 200);
+}
+
+TEST(TeRoamLod, slicesOfTimeEndSoonAfterTheirTime) {
+  const TeLodFieldPtr field = hills(256);
+  const std::unique_ptr<TeRoamLod> lod = TeRoamLod::create(field);
+  const TeLodView view = flightOver(field).view(5).lodView();
+  int slices = 0;
+  for (bool done = false; !done; slices++) {
+    double now = 0; // a clock that each look moves on by a millisecond
+    TeAllowance some = TeAllowance::seconds(0.01, [&now] { return now += 0.001; });
+    done = lod->select(view, within(2), some);
+    ASSERT_LE(now, 0.015);
+    ASSERT_LT(slices, 10000);
+  }
+  EXPECT_GT(slices, 3);
 }
 
 TEST(TeRoamLod, theKeyChangesWithTheMeshOnly) {

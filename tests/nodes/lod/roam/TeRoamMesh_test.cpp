@@ -51,7 +51,9 @@ TEST(TeRoamMesh, growthIsNeverLessThanWhatASplitAdds) {
     if (!mesh.splits().contains(node))
       continue;
     const std::int64_t before = mesh.drawn(), growth = mesh.growth(node);
-    forced += mesh.split(node) > 1;
+    const int splits = mesh.split(node);
+    forced += splits > 1;
+    ASSERT_EQ(growth, 6 * splits);
     ASSERT_LE(mesh.drawn() - before, growth);
   }
   EXPECT_GT(forced, 20);
