@@ -162,6 +162,12 @@ BENCHMARK_CAPTURE(select, geomipmap, geoMip, false)
     ->ArgsProduct({{1024, 4096}, {8, 16, 32}, {43}})
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
+BENCHMARK_CAPTURE(select, geomipmapMorph, geoMip, true)
+    ->Name("lod/select geomipmap, morphing")
+    ->Args({1024, 8, 43})
+    ->Args({4096, 32, 43})
+    ->UseManualTime()
+    ->Unit(benchmark::kMicrosecond);
 BENCHMARK_CAPTURE(select, chunked, chunked, false)
     ->Name("lod/select chunked")
     ->ArgsProduct({{1024, 4096}, {8, 16, 32}, {43}})

@@ -16,6 +16,10 @@
 /// Neighbours may differ by any number of levels; where the strip between them would not be within it, the
 /// coarser one becomes finer. Boxes of patches form a quadtree that culls.
 ///
+/// With `geomorph` vertices that the next coarser level lacks stand between its surface and their own
+/// heights, by a weight of the patch; on a border by that of the coarser patch, or the lesser of two equal
+/// ones.
+///
 /// Dial: de Boer's threshold in pixels, by the midpoint errors and the distance of the patch's middle; the
 /// bound that is stated is exact all the same.
 ///
@@ -24,11 +28,11 @@ class TeGeoMipMapping final : public TeLodMethod {
 public:
   struct Settings {
     /// A side, a power of two from 2 to 128; less where the terrain is smaller. 0: so many that there are 128
-    /// patches a side, but 8 to 32, which takes the fewest triangles and little time (docs/geomipmapping.md).
+    /// patches a side, but 8 to 32: few triangles for the number of patches (docs/geomipmapping.md).
     int patchCells = 0;
   };
 
-  /// Error: settings out of range.
+  /// Error: settings out of range, more than 4096 patches a side.
   static TeResult<std::unique_ptr<TeLodMethod>> create(TeLodFieldPtr field, const Settings& settings);
   static TeResult<std::unique_ptr<TeLodMethod>> create(TeLodFieldPtr field) {
     return create(std::move(field), Settings());
