@@ -78,10 +78,13 @@ public:
     count(metres, pixels, distance);
     return true;
   }
-  /// The same where only a distance is known that may be too small: true spares the rest. False, unless there
-  /// is no error, with a dial, where distances do not decide.
+  /// The same where a distance is known that may be too small: true spares finding the true one. It is not
+  /// said of what might make worst() larger with a dial, where nothing else limits it.
   bool isFineAnyway(float error, double distance) {
-    return (!m_usesDial || error == 0) && isFine(error, distance);
+    const double metres = double(error) * m_field.heightScale();
+    if (m_usesDial && kRounding * metres * m_view.focal > m_worst * distance)
+      return false;
+    return isFine(error, distance);
   }
 
   double worst() const { return m_worst; }             ///< pixels, rounded up
