@@ -3,6 +3,7 @@
 #include "nodes/lod/quadtree/TeQuadtreeBudget.h"
 
 #include <algorithm>
+#include <functional>
 #include <limits>
 
 namespace {
@@ -188,7 +189,8 @@ void TeRtinLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy, TeA
     return made;
   };
   const double last = m_acceptedDial == usesDial ? m_accepted / first : 0;
-  selection.coarsening = TeQuadtreeBudget::search(accuracy.maxTriangles, std::max(1.0, last), triangles);
+  selection.coarsening =
+      TeQuadtreeBudget::search(accuracy.maxTriangles, std::max(1.0, last), std::cref(triangles));
   m_accepted = selection.coarsening > 1 ? first * selection.coarsening : 0;
   m_acceptedDial = usesDial;
 }
