@@ -247,7 +247,7 @@ void TeGeoMipMapping::raiseWeights() {
   }
 }
 
-TeGeoMipPart TeGeoMipMapping::partOf(const Drawn& drawn) const {
+TeGeoMipPart TeGeoMipMapping::partOf(const Drawn& drawn, bool geomorph) const {
   const std::size_t here = cell(drawn.x, drawn.y);
   TeGeoMipPart part;
   part.x = drawn.x;
@@ -261,13 +261,11 @@ TeGeoMipPart TeGeoMipMapping::partOf(const Drawn& drawn) const {
     const int border = m_levels[there];
     if (border == kNotDrawn) // it has no border in view
       continue;
+    part.sides[side] = std::max(part.level, border);
+    if (!geomorph || border < part.level)
+      continue;
     const int weight = m_drawn[m_places[there]].weight;
-    if (border > part.level) {
-      part.sides[side] = border;
-      part.borderWeights[side] = weight;
-    } else if (border == part.level) {
-      part.borderWeights[side] = std::min(weight, part.weight);
-    }
+    part.borderWeights[side] = border > part.level ? weight : std::min(weight, part.weight);
   }
   return part;
 }
@@ -275,7 +273,7 @@ TeGeoMipPart TeGeoMipMapping::partOf(const Drawn& drawn) const {
 void TeGeoMipMapping::report(const Wish& wish, TeLodSelection& selection) {
   double bound = 0;
   for (const Drawn& drawn : m_drawn) {
-    const TeGeoMipPart part = partOf(drawn);
+    const TeGeoMipPart part = partOf(drawn, wish.geomorph);
     const std::int64_t triangles = m_patterns.triangles(part.level, part.sides);
     selection.parts.push_back({part.key(m_patches), triangles});
     selection.triangles += triangles;

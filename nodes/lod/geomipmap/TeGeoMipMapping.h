@@ -71,7 +71,7 @@ private:
   void weigh(const Wish& wish);
   void raiseWeight(Drawn& drawn, double share);
   void raiseWeights();
-  TeGeoMipPart partOf(const Drawn& drawn) const;
+  TeGeoMipPart partOf(const Drawn& drawn, bool geomorph) const;
   void report(const Wish& wish, TeLodSelection& selection);
   TeLodBox box(int height, int x, int y) const;
 

@@ -1,6 +1,7 @@
 #include "nodes/lod/geomipmap/TeGeoMipMesh.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace {
@@ -17,6 +18,14 @@ TeGeoMipMesh::TeGeoMipMesh(const TeLodField& field, const TeGeoMipPatterns& patt
 
 double TeGeoMipMesh::error(const TeGeoMipPart& part) const {
   const TeGeoMipErrors::Patch errors = m_errors.patch(part.x, part.y);
+  constexpr std::array<int, 4> kWholeBorders{TeGeoMipPart::kWhole, TeGeoMipPart::kWhole, TeGeoMipPart::kWhole,
+                                             TeGeoMipPart::kWhole};
+  if (part.weight == TeGeoMipPart::kWhole && part.borderWeights == kWholeBorders) {
+    float error = errors.regular(part.level);
+    for (std::size_t side = 0; side < 4; side++)
+      error = std::max(error, errors.stitched(part.level, TeGeoMipSide(side), part.sides[side]));
+    return double(error);
+  }
   const auto moved = [&](int level, int weight) {
     return level + 1 < m_patterns.levels() ? rest(weight) * double(errors.midpoint(level + 1)) : 0;
   };
