@@ -141,7 +141,7 @@ void TeRoamLod::appendPart(std::size_t, TeLodMesh& mesh) const {
   std::size_t leaves = 0;
   for (std::size_t node = 0; node < nodes.size(); node++) {
     m_leaves[leaves] = std::int32_t(node);
-    leaves += m_mesh.isShown(std::int32_t(node)) ? 1 : 0;
+    leaves += std::size_t(m_mesh.isShown(std::int32_t(node)));
   }
 
   m_marks.assign(vertices.size(), 0);

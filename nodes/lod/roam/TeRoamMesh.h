@@ -46,8 +46,8 @@ public:
   const TeRoamQueue& merges() const { return m_merges; }
   float priority(std::int32_t node) const { return priorities()[node]; }
   bool isSeen(std::int32_t node) const { return m_screen[std::size_t(node)] >= 0; }
-  /// A leaf in view.
-  bool isShown(std::int32_t node) const { return (m_fans[std::size_t(node)] != 0) & isSeen(node); }
+  /// 1 for a leaf in view, else 0; without a branch.
+  int isShown(std::int32_t node) const { return int(m_fans[std::size_t(node)] != 0) & int(isSeen(node)); }
   /// Triangles that a leaf is drawn with; 0 if it is none.
   int fan(std::int32_t node) const { return m_fans[std::size_t(node)]; }
 
