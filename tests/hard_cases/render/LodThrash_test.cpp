@@ -110,7 +110,9 @@ TEST_P(LodThrash, ATremblingCameraSwitchesNothing) {
   EXPECT_LE(switches, 1);
   EXPECT_EQ(empty, 0);
   EXPECT_EQ(uploaded, 0);
-  EXPECT_LE(largestBound, kPixels);
+  if (lodTellsBound(GetParam())) {
+    EXPECT_LE(largestBound, kPixels);
+  }
   std::printf("%s: %d frames, trembling by %g m: %d switches (without holding the eye %d), bound up to %.3f "
               "px\n",
               GetParam().c_str(), kFrames, double(kTremble), switches, edge ? free.switches(height) : 0,

@@ -13,3 +13,6 @@ inline TeNodePtr<SoTeLodTerrain> lodNode(const std::string& method, int resoluti
   node->setHeights(std::make_shared<const TeHeightMap>(hillsMap(resolution)));
   return node;
 }
+
+/// The midpoint form of RTIN is here to show what is no bound.
+inline bool lodTellsBound(const std::string& method) { return method != "rtin-midpoint"; }
