@@ -2,8 +2,12 @@
 
 #include "apps/common/TeAppLog.h"
 #include "apps/common/TeCommandLine.h"
+#include "apps/terrane-accuracy/TeAllCommand.h"
+#include "apps/terrane-accuracy/TeGenerationCommand.h"
+#include "apps/terrane-accuracy/TeHeightCommand.h"
 #include "apps/terrane-accuracy/TeInstancingCommand.h"
 #include "apps/terrane-accuracy/TeLodCommand.h"
+#include "apps/terrane-accuracy/TeNormalsCommand.h"
 #include "apps/terrane-accuracy/TeQualityCommand.h"
 #include "apps/terrane-accuracy/TeSubmissionCommand.h"
 #include "nodes/TeNodes.h"
@@ -14,6 +18,10 @@ extern "C" int teMain(int argc, char** argv) {
   TeLodCommand lod(commandLine);
   TeQualityCommand quality(commandLine);
   TeSubmissionCommand submission(commandLine);
+  TeGenerationCommand generation(commandLine);
+  TeNormalsCommand normals(commandLine);
+  TeHeightCommand height(commandLine);
+  TeAllCommand all(commandLine, teMain);
   commandLine.cli().require_subcommand(1);
   if (const std::optional<int> status = commandLine.parse(argc, argv))
     return *status;
@@ -23,5 +31,13 @@ extern "C" int teMain(int argc, char** argv) {
     return submission.run();
   if (quality.cli().parsed())
     return quality.run();
+  if (all.cli().parsed())
+    return all.run();
+  if (generation.cli().parsed())
+    return generation.run();
+  if (normals.cli().parsed())
+    return normals.run();
+  if (height.cli().parsed())
+    return height.run();
   return instancing.cli().parsed() ? instancing.run() : lod.run();
 }
