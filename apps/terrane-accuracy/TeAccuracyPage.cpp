@@ -91,6 +91,9 @@ TeStatus TeAccuracyPage::addSection(const std::string& name, const std::string& 
     const bool blankAgain = line.empty() && section.substr(section.size() - 2) == "\n\n";
     if (line == "## " + name || blankAgain)
       continue;
+    // Files are named, but no folders of this machine.
+    for (std::size_t at; (at = line.find(m_work + "/")) != std::string::npos;)
+      line.erase(at, m_work.size() + 1);
     if (const std::string shown = shownBy(line); !shown.empty()) {
       if (const TeStatus ok = copy(shown, "images/accuracy"); !ok)
         return ok;

@@ -20,11 +20,17 @@ protected:
     return {std::istreambuf_iterator<char>(stream), std::istreambuf_iterator<char>()};
   }
 
+  /// Cells in quotes may have commas.
   static std::vector<std::string> split(const std::string& line) {
-    std::vector<std::string> cells;
-    std::istringstream stream(line + ",");
-    for (std::string cell; std::getline(stream, cell, ',');)
-      cells.push_back(cell);
+    std::vector<std::string> cells(1);
+    bool quoted = false;
+    for (const char letter : line) {
+      quoted = quoted != (letter == '"');
+      if (letter == ',' && !quoted)
+        cells.emplace_back();
+      else if (letter != '"')
+        cells.back() += letter;
+    }
     return cells;
   }
 
