@@ -1,3 +1,5 @@
+#include "patchdb/TeSurfaceCell.h"
+
 #include "patchdb/TeSurfaceCell.inl"
 
 double TeSurfaceCell::height(double u, double v) const { return teCellHeight(*this, u, v); }

@@ -313,9 +313,11 @@ TEST(Architecture, TestsMirrorSources) {
 
 /// Tests of laws that hold for several classes together.
 const std::set<std::string> kTestsOfLaws = {
+    "tests/engine/quality/TeQualityAndBudget_test.cpp",
     "tests/generators/TeEveryGenerator_test.cpp",
     "tests/generators/elevation/RealElevationData_test.cpp",
     "tests/generators/noise/TeNoiseReference_test.cpp",
+    "tests/nodes/lod/quadtree/SmallestMesh_test.cpp",
     "tests/nodes/seamless/ErrorBoundHolds_test.cpp",
     "tests/patchdb/FittingBorders_test.cpp",
 };
