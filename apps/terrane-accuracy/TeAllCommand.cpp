@@ -19,32 +19,32 @@ constexpr double kSteps = 65535;
 
 /// The middle of a terrain in whole units that take 16 bits, so that all parts read the same file.
 TeResult<TeMeasuredTerrain> middleOf(const TeMeasuredTerrain& terrain, int samples) {
-  const int side = std::min(samples, terrain.heights.width());
-  const int first = (terrain.heights.width() - side) / 2;
+  const int side = std::min(samples, terrain.heights().width());
+  const int first = (terrain.heights().width() - side) / 2;
   const TeMapRect from{first, first, side, side};
   TeResult<TeHeightMap> map = TeHeightMap::create(side, side);
   if (!map)
     return map.error();
-  const TeResult<TeMapStatistics> statistics = terrain.heights.statistics(from);
+  const TeResult<TeMapStatistics> statistics = terrain.heights().statistics(from);
   if (!statistics)
     return statistics.error();
-  const double relief = (double(statistics->maximum) - statistics->minimum) * terrain.heightScale;
+  const double relief = (double(statistics->maximum) - statistics->minimum) * terrain.heightScale();
   const double unit = std::max(relief / kSteps, 1e-6);
   for (int y = 0; y < side; ++y)
     for (int x = 0; x < side; ++x)
       map->at(x, y) = float(
-          std::clamp(std::round((double(terrain.heights.at(first + x, first + y)) - statistics->minimum) *
-                                terrain.heightScale / unit),
+          std::clamp(std::round((double(terrain.heights().at(first + x, first + y)) - statistics->minimum) *
+                                terrain.heightScale() / unit),
                      0.0, kSteps));
-  return TeMeasuredTerrain{std::filesystem::path(terrain.name).filename().string(), std::move(*map),
-                           terrain.spacing, unit};
+  return TeMeasuredTerrain::create(std::filesystem::path(terrain.name).filename().string(), std::move(*map),
+                                   terrain.spacing(), unit);
 }
 
 TeStatus writeMap(const TeMeasuredTerrain& terrain, const std::string& file) {
   std::ofstream stream(file, std::ios::binary);
-  const std::size_t count = terrain.heights.bytes() / sizeof(float);
+  const std::size_t count = terrain.heights().bytes() / sizeof(float);
   for (std::size_t i = 0; i < count; ++i) {
-    const int height = int(terrain.heights.data()[i]);
+    const int height = int(terrain.heights().data()[i]);
     stream.put(char(height & 255)).put(char(height >> 8));
   }
   stream.close();
@@ -90,7 +90,9 @@ TeAllCommand::TeAllCommand(TeCommandLine& commandLine, Program program)
 TeResult<TeMeasuredTerrain> TeAllCommand::land() const {
   const int samples = (1 << m_samplesLog) + 1;
   if (m_terrain.map.empty() && m_terrain.dem.empty())
-    return middleOf({"mountains", teMountains(samples), TeSmoothLand::kSpacing, 1}, samples);
+    return middleOf(
+        TeMeasuredTerrain::create("mountains", teMountains(samples), TeSmoothLand::kSpacing, 1).value(),
+        samples);
   const TeResult<TeMeasuredTerrain> terrain = m_terrain.read();
   if (!terrain)
     return terrain.error();
@@ -104,8 +106,8 @@ std::string TeAllCommand::mapFile(const TeMeasuredTerrain& terrain) const {
 std::vector<TeAllCommand::Part> TeAllCommand::parts(const TeMeasuredTerrain& terrain) const {
   using Words = std::vector<std::string>;
   const Words map = {"--map",         mapFile(terrain),
-                     "--cells",       teNumberText(terrain.spacing),
-                     "--height-unit", teNumberText(terrain.heightScale)};
+                     "--cells",       teNumberText(terrain.spacing()),
+                     "--height-unit", teNumberText(terrain.heightScale())};
   std::vector<Part> parts;
   const auto add = [&](const std::string& name, const std::string& heading, const Words& full,
                        const Words& quick, const Words& columns = {}) {
@@ -163,7 +165,7 @@ void TeAllCommand::introduce(const TeMeasuredTerrain& terrain, TeAccuracyPage& p
       "to be compared within one part.");
   page.addText(
       teFormat("Terrain: %s, %d² samples, %g m apart, heights in steps of %.3g m. Machine: %s, %u cores.",
-               terrain.name.c_str(), terrain.cells() + 1, terrain.spacing, terrain.heightScale,
+               terrain.name.c_str(), terrain.cells() + 1, terrain.spacing(), terrain.heightScale(),
                processor().c_str(), std::thread::hardware_concurrency()));
 }
 

@@ -1,42 +1,34 @@
 #include "apps/terrane-accuracy/TeDrawnSurface.h"
 
+#include "nodes/lod/TeLatticeTriangle.h"
+
 #include <algorithm>
 #include <limits>
-
-namespace {
-
-/// Twice the area of a triangle, positive if counter-clockwise.
-std::int64_t area(const TeSeamlessMesh::Vertex& a, const TeSeamlessMesh::Vertex& b, std::int32_t column,
-                  std::int32_t row) {
-  return std::int64_t(b.column - a.column) * (row - a.row) -
-         std::int64_t(b.row - a.row) * (column - a.column);
-}
-
-} // namespace
 
 TeDrawnSurface::TeDrawnSurface(int cells)
     : m_side(cells + 1), m_heights(std::size_t(m_side) * std::size_t(m_side)) {}
 
-void TeDrawnSurface::draw(const std::vector<TeSeamlessMesh::Triangle>& triangles) {
+void TeDrawnSurface::draw(const TeLodMesh& mesh) {
   std::fill(m_heights.begin(), m_heights.end(), std::numeric_limits<float>::quiet_NaN());
-  for (const TeSeamlessMesh::Triangle& triangle : triangles) {
-    const auto& [a, b, c, strip] = triangle;
-    const double whole = double(area(a, b, c.column, c.row));
-    if (!(whole > 0))
+  for (std::size_t i = 0; i < mesh.indices.size(); i += 3) {
+    const TeLodVertex& a = mesh.vertices[mesh.indices[i]];
+    const TeLodVertex& b = mesh.vertices[mesh.indices[i + 1]];
+    const TeLodVertex& c = mesh.vertices[mesh.indices[i + 2]];
+    const std::int64_t bx = b.column - a.column, by = b.row - a.row;
+    const std::int64_t cx = c.column - a.column, cy = c.row - a.row;
+    const double area = double(bx * cy - cx * by);
+    if (area == 0)
       continue;
-    const auto [west, east] = std::minmax({a.column, b.column, c.column});
-    const auto [south, north] = std::minmax({a.row, b.row, c.row});
-    for (std::int32_t row = south; row <= north; row++)
-      for (std::int32_t column = west; column <= east; column++) {
-        const std::int64_t atA = area(b, c, column, row);
-        const std::int64_t atB = area(c, a, column, row);
-        const std::int64_t atC = area(a, b, column, row);
-        if (atA < 0 || atB < 0 || atC < 0)
-          continue;
-        m_heights[std::size_t(row) * std::size_t(m_side) + std::size_t(column)] =
-            float((double(atA) * double(a.height) + double(atB) * double(b.height) +
-                   double(atC) * double(c.height)) /
-                  whole);
-      }
+    const double bz = double(b.height) - double(a.height), cz = double(c.height) - double(a.height);
+    const double alongX = (bz * double(cy) - cz * double(by)) / area;
+    const double alongY = (cz * double(bx) - bz * double(cx)) / area;
+    const TeLatticeTriangle triangle(a, b, c);
+    for (std::int32_t row = triangle.firstRow(); row <= triangle.lastRow(); row++) {
+      const TeLatticeTriangle::Span span = triangle.span(row);
+      const double start = double(a.height) + alongY * double(row - a.row) - alongX * double(a.column);
+      float* heights = &m_heights[std::size_t(row) * std::size_t(m_side)];
+      for (std::int32_t column = span.first; column <= span.last; column++)
+        heights[column] = float(start + alongX * column);
+    }
   }
 }

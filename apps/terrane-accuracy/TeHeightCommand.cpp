@@ -117,7 +117,8 @@ TeHeightCommand::TeHeightCommand(TeCommandLine& commandLine)
 TeResult<TeMeasuredTerrain> TeHeightCommand::land() const {
   if (!m_terrain.map.empty() || !m_terrain.dem.empty())
     return m_terrain.read();
-  return TeMeasuredTerrain{"mountains", teMountains((1 << m_samplesLog) + 1), TeSmoothLand::kSpacing, 1};
+  return TeMeasuredTerrain::create("mountains", teMountains((1 << m_samplesLog) + 1), TeSmoothLand::kSpacing,
+                                   1);
 }
 
 void TeHeightCommand::describe(const TeMeasuredTerrain& terrain, const TeHeightWorld& world,
@@ -125,8 +126,8 @@ void TeHeightCommand::describe(const TeMeasuredTerrain& terrain, const TeHeightW
                                TeAccuracyOutput& output) const {
   output.json()["terrain"] = {{"name", std::filesystem::path(terrain.name).filename().string()},
                               {"samples", terrain.cells() + 1},
-                              {"spacing_m", terrain.spacing},
-                              {"height_unit_m", terrain.heightScale}};
+                              {"spacing_m", terrain.spacing()},
+                              {"height_unit_m", terrain.heightScale()}};
   output.addText(teFormat("%d² samples, %g m apart, in patches of %d² cells and coarser ones of every 2^L-th "
                           "sample. %d queries of each "
                           "kind: heights along a walk and anywhere, and rays from 150 m above the ground, "
@@ -134,7 +135,7 @@ void TeHeightCommand::describe(const TeMeasuredTerrain& terrain, const TeHeightW
                           "differences from level 0, of rays that of the heights where they hit; `bound_m` "
                           "is what the answers say of "
                           "themselves, in the mean, and `over` counts those that were farther off.",
-                          terrain.cells() + 1, terrain.spacing, TeHeightWorld::kCells, m_queries));
+                          terrain.cells() + 1, terrain.spacing(), TeHeightWorld::kCells, m_queries));
   output.addText(wordsOf(all, world));
   output.addPlot(errorPlot(all), "time");
   output.addPlot(memoryPlot(all, world), "memory");

@@ -20,7 +20,8 @@ TeStatus addBasePatch(const TeMeasuredTerrain& terrain, const TePatchKey& key, T
   if (!part)
     return part.error();
   const TeMapRect from{int(key.x) * kCells, int(key.y) * kCells, kCells + 1, kCells + 1};
-  if (const TeStatus ok = part->addScaled(terrain.heights, float(terrain.heightScale), from, part->bounds());
+  if (const TeStatus ok =
+          part->addScaled(terrain.heights(), float(terrain.heightScale()), from, part->bounds());
       !ok)
     return ok;
   const TeResult<TePatchData*> patch = database.lookup(key, TeLookup::Create);
@@ -37,7 +38,7 @@ TeResult<TeHeightWorld> TeHeightWorld::create(const TeMeasuredTerrain& terrain, 
   const int patches = terrain.cells() / kCells;
   if (patches < 1)
     return TeError{terrain.name + ": at least 33 samples a side are needed"};
-  const TeResult<TeLattice> lattice = TeLattice::create(2 * kCells + 1, terrain.spacing);
+  const TeResult<TeLattice> lattice = TeLattice::create(2 * kCells + 1, terrain.spacing());
   if (!lattice)
     return lattice.error();
   // Never asked, as all heights are set.
@@ -48,9 +49,9 @@ TeResult<TeHeightWorld> TeHeightWorld::create(const TeMeasuredTerrain& terrain, 
   TeHeightWorld world(std::move(*database));
   while (world.m_levels < levels && (1 << world.m_levels) <= patches)
     ++world.m_levels;
-  world.m_side = terrain.cells() * terrain.spacing;
+  world.m_side = terrain.cells() * terrain.spacing();
   world.m_corner = lattice->position(0);
-  world.m_samples = std::int64_t(terrain.heights.bytes() / sizeof(float));
+  world.m_samples = std::int64_t(terrain.heights().bytes() / sizeof(float));
   for (int level = 0; level < world.m_levels; ++level) {
     const int side = patches >> level;
     for (int y = 0; y < side; ++y) {

@@ -15,8 +15,8 @@ TeResult<TeInstancingTerrain> TeInstancingTerrain::ofMap(TeMeasuredTerrain map) 
   TeInstancingTerrain terrain;
   terrain.m_name = map.name;
   terrain.m_cells = map.cells();
-  terrain.m_spacing = map.spacing;
-  terrain.m_heightScale = map.heightScale;
+  terrain.m_spacing = map.spacing();
+  terrain.m_heightScale = map.heightScale();
   terrain.m_map = std::make_shared<const TeMeasuredTerrain>(std::move(map));
   return terrain;
 }
@@ -44,7 +44,7 @@ TeResult<TeInstancingTerrain> TeInstancingTerrain::ofPyramid(const std::string& 
 
 float TeInstancingTerrain::sample(std::int32_t column, std::int32_t row) const {
   if (m_map)
-    return m_map->heights.at(column, row);
+    return m_map->heights().at(column, row);
   const std::shared_ptr<TePyramidTiles> tiles = m_clipmap->getTiles();
   unsigned char bytes[2] = {};
   const TeStatus ok = tiles->read(tiles->reader().topLevel(), {column, row, 1, 1}, bytes, sizeof bytes);
@@ -64,7 +64,7 @@ TeResult<std::shared_ptr<const TeSeamlessBounds>>
 TeInstancingTerrain::bounds(const TeSeamlessLayout& layout,
                             const TeSeamlessBounds::Progress& progress) const {
   if (m_map)
-    return TeSeamlessBounds::create(layout, m_map->heights);
+    return TeSeamlessBounds::create(layout, m_map->heights());
   const std::string file = TeSeamlessBoundsFile::nameFor(m_name, layout);
   if (layout.resolution() == m_cells && std::filesystem::exists(file))
     return TeSeamlessBoundsFile::load(layout, file);
@@ -101,7 +101,7 @@ TeNodePtr<SoTeSeamlessPatches> TeInstancingTerrain::node(const TeSeamlessLayout&
   node->levels = layout.levels();
   node->stripColor.setValue(1, 1, 1);
   if (m_map) {
-    TeHeightMap metres = m_map->heights;
+    TeHeightMap metres = m_map->heights();
     const TeStatus scaled = metres.scale(float(m_heightScale), metres.bounds());
     assert(scaled);
     static_cast<void>(scaled);

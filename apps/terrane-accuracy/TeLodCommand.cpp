@@ -3,15 +3,36 @@
 #include "apps/common/TeExit.h"
 #include "apps/common/TeProgressLine.h"
 #include "apps/terrane-accuracy/TeLayoutText.h"
-#include "apps/terrane-accuracy/TeSeamlessMethod.h"
-#include "generators/base/TeText.h"
+#include "nodes/lod/TeLodMethods.h"
 
 #include <cstdio>
+#include <cstdlib>
 
 namespace {
 
-const std::vector<std::string> kMethods = {"seamless", "seamless-geomorph"};
-const std::vector<double> kDefaultPixels = {0.5, 1, 2, 4, 8, 16, 32};
+std::string listOf(const std::vector<std::string>& names) {
+  std::string list;
+  for (const std::string& name : names)
+    list += (list.empty() ? "" : ", ") + name;
+  return list;
+}
+
+/// "VALUE" or "METHOD=VALUE".
+bool readDial(const std::string& text, TeLodSettings::Dial& dial) {
+  const std::size_t equals = text.find('=');
+  dial.method = equals == std::string::npos ? std::string() : text.substr(0, equals);
+  const std::string number = equals == std::string::npos ? text : text.substr(equals + 1);
+  char* end = nullptr;
+  dial.value = std::strtod(number.c_str(), &end);
+  return !number.empty() && *end == 0 && dial.value > 0 && dial.value <= 1e12 && equals != 0;
+}
+
+std::string checkDial(std::string& text) {
+  TeLodSettings::Dial dial;
+  return readDial(text, dial) ? std::string() : "must be VALUE or METHOD=VALUE, not '" + text + "'";
+}
+
+std::string checkMethod(std::string& text) { return TeLodCandidate::checkName(text); }
 
 } // namespace
 
@@ -23,29 +44,39 @@ TeLodCommand::TeLodCommand(TeCommandLine& commandLine)
   m_terrain.addTo(*m_cli);
   const std::string group = "Measuring";
   m_cli->add_flag("--flyover", m_flyover, "Fly the circle of half a degree a frame (default)")->group(group);
-  m_cli->add_option("--methods", m_methods, "seamless, seamless-geomorph (default: seamless)")
+  m_cli
+      ->add_option("--methods", m_settings.methods,
+                   listOf(TeLodMethods::names()) + ", or with -geomorph (default: all)")
       ->delimiter(',')
-      ->check(CLI::IsMember(kMethods))
+      ->check(CLI::Validator(checkMethod, ""))
       ->option_text("LIST")
       ->group(group);
+  m_cli->add_flag("--geomorph", m_geomorph, "Of methods that morph measure that form, too")->group(group);
   m_cli
-      ->add_option("--layout", m_layouts,
-                   "Lowest resolution of a patch and number of resolutions (default: 16/3)")
+      ->add_option("--layout", m_settings.layouts,
+                   "Of Seamless Patches: lowest resolution of a patch and number of resolutions (default: "
+                   "16/3)")
       ->delimiter(',')
       ->check(CLI::Validator(teCheckLayout, ""))
       ->option_text("LIST")
       ->group(group);
-  m_cli->add_option("--px", m_pixels, "Wanted screen errors, pixels (default: 0.5,1,2,4,8,16,32)")
+  m_cli
+      ->add_option("--px", m_pixels,
+                   "Wanted screen errors, pixels (default: 0.25,0.5,1,2,4,8,16,32, unless there are dials)")
       ->delimiter(',')
       ->check(TeCommandLine::within(1e-3, 1e4))
       ->option_text("LIST")
       ->group(group);
-  m_cli->add_option("--precision", m_precisions, "The document's precision factors, from 1")
+  m_cli
+      ->add_option("--dial", m_dials,
+                   "The methods' own dials: numbers for all that have one, or METHOD=NUMBER")
       ->delimiter(',')
-      ->check(TeCommandLine::within(1, 1e4))
+      ->check(CLI::Validator(checkDial, ""))
       ->option_text("LIST")
       ->group(group);
-  m_cli->add_option("--stride", m_stride, "Measure every N-th frame of the flight (default: 1)")
+  m_cli
+      ->add_option("--stride", m_settings.frames.stride,
+                   "Measure every N-th frame of the flight (default: 1)")
       ->transform(TeCommandLine::wholeWithin(1, 720))
       ->option_text("N")
       ->group(group);
@@ -56,102 +87,33 @@ TeLodCommand::TeLodCommand(TeCommandLine& commandLine)
       ->group(group);
 }
 
-TeResult<std::vector<TeLodCommand::Candidate>>
-TeLodCommand::candidates(const TeMeasuredTerrain& terrain) const {
-  std::vector<Candidate> candidates;
-  for (const std::string& method : m_methods)
-    for (const std::string& layout : m_layouts) {
-      TeSeamlessMethod::Settings settings;
-      teReadLayout(layout, settings.minResolution, settings.levels);
-      settings.geomorph = method == "seamless-geomorph";
-      TeResult<std::unique_ptr<TeSeamlessMethod>> made = TeSeamlessMethod::create(terrain, settings);
-      if (!made)
-        return TeError{"--layout " + layout + ": " + made.error().message};
-      candidates.push_back({std::move(*made), layout});
-    }
-  return candidates;
-}
-
-std::vector<TeDial> TeLodCommand::dials() const {
-  std::vector<TeDial> dials;
-  for (const double pixels : m_pixels.empty() && m_precisions.empty() ? kDefaultPixels : m_pixels)
-    dials.push_back({pixels, 0});
-  for (const double precision : m_precisions)
-    dials.push_back({0, precision});
-  return dials;
-}
-
-TeFlyover TeLodCommand::flight(const TeMeasuredTerrain& terrain) const {
-  TeFlyover flight = terrain.flyover();
-  flight.width = m_commandLine.common().width;
-  flight.height = m_commandLine.common().height;
-  return flight;
-}
-
-TeStatus TeLodCommand::measure(const TeMeasuredTerrain& terrain, const std::vector<Candidate>& candidates,
-                               TeFlightStage* stage, TeLodTable& table) const {
-  const TeFlyover flight = this->flight(terrain);
-  const std::vector<TeDial> dials = this->dials();
-  TeProgressLine progress("Measuring", m_commandLine.common().quiet);
-  const double total = double(candidates.size() * dials.size()) * frames();
-  double done = 0;
-  for (const Candidate& candidate : candidates)
-    for (const TeDial& dial : dials) {
-      const TeLodFigures figures = teMeasureLod(*candidate.method, dial, terrain, flight, frames(), m_stride,
-                                                [&](int frame) { progress.update((done + frame) / total); });
-      done += frames();
-      std::optional<TeFrameFigures> drawn;
-      if (stage) {
-        const TeResult<TeFrameFigures> result =
-            teMeasureFrames(*candidate.method, dial, terrain, flight, frames(), m_stride, *stage);
-        if (!result)
-          return result.error();
-        drawn = *result;
-      }
-      table.add(*candidate.method, candidate.layout, dial, frames(), figures, drawn);
-    }
-  return {};
-}
-
-void TeLodCommand::describe(const TeMeasuredTerrain& terrain, const TeFlightStage* stage,
-                            const TeLodTable& table, TeAccuracyOutput& output) const {
-  const TeFlyover flight = this->flight(terrain);
-  auto& json = output.json();
-  json["terrain"] = {{"file", terrain.name},
-                     {"samples", terrain.cells() + 1},
-                     {"spacing_m", terrain.spacing},
-                     {"height_unit_m", terrain.heightScale}};
-  json["flight"] = {{"frames", frames()},
-                    {"degrees_a_frame", flight.anglePerFrame * m_stride},
-                    {"width", flight.width},
-                    {"height", flight.height}};
-  if (stage)
-    json["renderer"] = stage->context().renderer();
-  output.addText(
-      teFormat("%d² samples, %g m apart; %d frames of the flyover, %g degrees each; %d×%d pixels. ",
-               terrain.cells() + 1, terrain.spacing, frames(), flight.anglePerFrame * m_stride, flight.width,
-               flight.height) +
-      (stage ? "Drawn by " + stage->context().renderer() + "." : std::string("Not drawn.")));
-  output.addTable(table.table());
-  output.addPlot(table.plot("Error against triangles", "triangles", "triangles of a frame (mean)"),
-                 "triangles");
-  output.addPlot(
-      table.plot("Error against time of selection", "select_ms", "selection, ms of CPU time (median)"),
-      "selection");
-  if (stage)
-    output.addPlot(table.plot("Error against frame time", "frame_ms", "frame, ms (median)"), "frame");
+TeLodSettings TeLodCommand::settings() const {
+  TeLodSettings settings = m_settings;
+  if (!m_pixels.empty() || !m_dials.empty())
+    settings.pixels = m_pixels;
+  for (const std::string& text : m_dials) {
+    settings.dials.emplace_back();
+    readDial(text, settings.dials.back());
+  }
+  const TeCommonOptions& common = m_commandLine.common();
+  if (common.frames > 0)
+    settings.frames.count = common.frames;
+  settings.width = common.width;
+  settings.height = common.height;
+  settings.geomorph = m_geomorph;
+  return settings;
 }
 
 int TeLodCommand::run() {
   const std::string& application = m_commandLine.application();
   const TeCommonOptions& common = m_commandLine.common();
   TeAccuracyOutput output(m_commandLine, "lod", m_folder);
-  const TeResult<TeMeasuredTerrain> terrain = m_terrain.read();
+  TeResult<TeMeasuredTerrain> terrain = m_terrain.read();
   if (!terrain)
     return teExitWith(TeExitUsage, application, terrain.error().message);
-  const TeResult<std::vector<Candidate>> candidates = this->candidates(*terrain);
-  if (!candidates)
-    return teExitWith(TeExitUsage, application, candidates.error().message);
+  TeResult<TeLodRun> run = TeLodRun::create(std::move(*terrain), settings());
+  if (!run)
+    return teExitWith(TeExitUsage, application, run.error().message);
   if (const TeStatus ok = output.prepare(); !ok)
     return teExitWith(TeExitFailure, application, ok.error().message);
   std::unique_ptr<TeFlightStage> stage;
@@ -163,13 +125,15 @@ int TeLodCommand::run() {
     stage = std::move(*made);
   }
 
-  TeLodTable table;
-  if (const TeStatus ok = measure(*terrain, *candidates, stage.get(), table); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  describe(*terrain, stage.get(), table, output);
+  {
+    TeProgressLine progress("Measuring", common.quiet);
+    if (const TeStatus ok = run->measure(stage.get(), [&](double done) { progress.update(done); }); !ok)
+      return teExitWith(TeExitFailure, application, ok.error().message);
+  }
+  run->describe(output);
   if (!common.quiet)
-    std::fputs(table.table().markdown().c_str(), stdout);
-  if (const TeStatus ok = output.write(table.table()); !ok)
+    std::fputs(run->table().markdown().c_str(), stdout);
+  if (const TeStatus ok = output.write(run->table()); !ok)
     return teExitWith(TeExitFailure, application, ok.error().message);
   return TeExitSuccess;
 }

@@ -15,11 +15,11 @@ public:
   TeLodTable();
 
   /// `drawn`: empty if nothing was drawn.
-  void add(const TeMeasuredMethod& method, const std::string& layout, const TeDial& dial, int frames,
+  void add(const TeLodCandidate& candidate, const TeLodAccuracy& accuracy, int frames,
            const TeLodFigures& figures, const std::optional<TeFrameFigures>& drawn);
 
   const TeTable& table() const { return m_table; }
-  /// True errors over a column of cost, a curve for each method and layout.
+  /// True errors over a column of cost, a curve for each method and layout; lines for those without errors.
   TePlot plot(const std::string& title, const std::string& column, const std::string& label) const;
 
 private:

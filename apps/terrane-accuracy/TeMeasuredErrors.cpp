@@ -15,19 +15,21 @@ void TeMeasuredErrors::add(const TeScreenError::Report& report) {
   m_uncovered += report.uncovered;
 }
 
-void TeMeasuredErrors::addJump(const TeMeasuredTerrain& terrain, const TeLodView& view,
-                               const TeDrawnSurface& before, const TeDrawnSurface& after) {
-  for (int row = 0; row <= terrain.cells(); row++)
-    for (int column = 0; column <= terrain.cells(); column++) {
-      const double jump = std::abs(double(after.height(column, row)) - double(before.height(column, row)));
+void TeMeasuredErrors::addJump(const TeLodField& field, const TeLodView& view, const TeDrawnSurface& before,
+                               const TeDrawnSurface& after) {
+  for (int row = 0; row <= field.cells(); row++) {
+    const float* old = before.row(row);
+    const float* now = after.row(row);
+    for (int column = 0; column <= field.cells(); column++) {
+      const double jump = std::abs(double(now[column]) - double(old[column]));
       if (!(jump > 0)) // nor where one of them ends
         continue;
-      const glm::dvec3 point(column * terrain.spacing, row * terrain.spacing,
-                             double(terrain.heights.at(column, row)) * terrain.heightScale);
+      const glm::dvec3 point = field.position(field.vertex(column, row));
       if (view.meets(point, point))
         m_popping =
-            std::max(m_popping, view.pixels(jump * terrain.heightScale, glm::distance(view.eye, point)));
+            std::max(m_popping, view.pixels(jump * field.heightScale(), glm::distance(view.eye, point)));
     }
+  }
 }
 
 double TeMeasuredErrors::rmsPixels() const {

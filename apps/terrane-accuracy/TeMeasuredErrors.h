@@ -1,6 +1,7 @@
 #pragma once
 
 #include "apps/terrane-accuracy/TeDrawnSurface.h"
+#include "nodes/lod/TeLodField.h"
 #include "nodes/lod/TeScreenError.h"
 
 #include <cstdint>
@@ -11,7 +12,7 @@ public:
   /// Adds a frame.
   void add(const TeScreenError::Report& report);
   /// Adds what samples in view jump by from one frame to the next.
-  void addJump(const TeMeasuredTerrain& terrain, const TeLodView& view, const TeDrawnSurface& before,
+  void addJump(const TeLodField& field, const TeLodView& view, const TeDrawnSurface& before,
                const TeDrawnSurface& after);
 
   double worstPixels() const { return m_worstPixels; }

@@ -27,10 +27,24 @@ int fitting(std::int64_t samples) {
 TeFlyover TeMeasuredTerrain::flyover() const {
   TeFlyover flight;
   flight.cells = cells();
-  flight.spacing = spacing;
-  flight.heightScale = heightScale;
-  flight.sample = [this](std::int32_t column, std::int32_t row) { return heights.at(column, row); };
+  flight.spacing = spacing();
+  flight.heightScale = heightScale();
+  flight.sample = [field = field](std::int32_t column, std::int32_t row) {
+    return field->height(column, row);
+  };
   return flight;
+}
+
+TeResult<TeMeasuredTerrain> TeMeasuredTerrain::create(const std::string& name, TeHeightMap heights,
+                                                      double spacing, double heightScale) {
+  TeLodField::Placement placement;
+  placement.spacing = spacing;
+  placement.heightScale = heightScale;
+  TeResult<TeLodFieldPtr> field =
+      TeLodField::create(std::make_shared<const TeHeightMap>(std::move(heights)), placement);
+  if (!field)
+    return TeError{name + ": " + field.error().message};
+  return TeMeasuredTerrain{name, std::move(*field)};
 }
 
 TeResult<TeMeasuredTerrain> TeMeasuredTerrain::readMap(const std::string& file, double spacing,
@@ -57,7 +71,7 @@ TeResult<TeMeasuredTerrain> TeMeasuredTerrain::readMap(const std::string& file, 
     for (int x = 0; x < side; x++)
       map->at(x, y) = float(row[2 * std::size_t(x)] + 256 * row[2 * std::size_t(x) + 1]);
   }
-  return TeMeasuredTerrain{file, std::move(*map), spacing, heightScale};
+  return create(file, std::move(*map), spacing, heightScale);
 }
 
 TeResult<TeMeasuredTerrain> TeMeasuredTerrain::readDem(const std::string& file) {
@@ -89,5 +103,5 @@ TeResult<TeMeasuredTerrain> TeMeasuredTerrain::readDem(const std::string& file) 
       map->at(dem.columnsRunEast() ? column : side - 1 - column, dem.rowsRunNorth() ? row : side - 1 - row) =
           *height;
     }
-  return TeMeasuredTerrain{file, std::move(*map), *spacing, 1};
+  return create(file, std::move(*map), *spacing, 1);
 }

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "generators/TeHeightMap.h"
 #include "nodes/lod/TeFlyover.h"
+#include "nodes/lod/TeLodField.h"
 
 #include <string>
 
@@ -9,14 +9,19 @@
 struct TeMeasuredTerrain {
   static constexpr int kMaxSamples = 8193; ///< a side
 
-  std::string name;       ///< of the file
-  TeHeightMap heights;    ///< in the unit of its samples, row 0 in the south
-  double spacing = 1;     ///< metres
-  double heightScale = 1; ///< metres a unit
+  std::string name;    ///< of the file
+  TeLodFieldPtr field; ///< with its corner at 0
 
-  int cells() const { return heights.width() - 1; }
-  /// The peers' flight over this terrain, which must outlive it.
+  const TeHeightMap& heights() const { return field->heights(); }
+  int cells() const { return field->cells(); }
+  double spacing() const { return field->spacing(); }
+  double heightScale() const { return field->heightScale(); }
+  /// The peers' flight over this terrain.
   TeFlyover flyover() const;
+
+  /// Errors of TeLodField::create().
+  static TeResult<TeMeasuredTerrain> create(const std::string& name, TeHeightMap heights, double spacing,
+                                            double heightScale);
 
   /// Headerless little-endian samples of 16 bits, the first row in the south. Error: a file that cannot be
   /// read, or whose size is not that of a square of 2^n + 1 samples.

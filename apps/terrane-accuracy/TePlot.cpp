@@ -53,6 +53,16 @@ TeStatus run(const std::string& program, const std::string& script) {
   return {};
 }
 
+/// Told apart on white, also by those who do not see all colours, with the marks beside them.
+const char* const kColours[] = {"#0072b2", "#d55e00", "#009e73", "#cc79a7",
+                                "#000000", "#e69f00", "#56b4e9", "#8b0000"};
+constexpr int kMarks[] = {5, 7, 9, 11, 13, 4, 6, 8};
+constexpr std::size_t kStyles = sizeof kMarks / sizeof *kMarks;
+
+std::string style(std::size_t i) {
+  return std::string(" linewidth 2 linecolor rgb '") + kColours[i % kStyles] + "'";
+}
+
 bool drawable(double value, bool logarithmic) { return std::isfinite(value) && (!logarithmic || value > 0); }
 
 struct Extent {
@@ -79,7 +89,7 @@ std::string TePlot::script(const std::string& terminal, const std::string& outpu
   text += "set output " + quoted(output) + "\n";
   text += "set title " + quoted(title) + " noenhanced\n";
   text += "set xlabel " + quoted(xLabel) + " noenhanced\nset ylabel " + quoted(yLabel) + " noenhanced\n";
-  text += "set grid\nset key top right noenhanced\n";
+  text += "set grid\nset key outside right top noenhanced\n";
   if (logX)
     text += "set logscale x\n";
   if (logY)
@@ -100,9 +110,19 @@ std::string TePlot::script(const std::string& terminal, const std::string& outpu
     const std::string block = "$curve" + std::to_string(i);
     text += block + " << END\n" + points + "END\n";
     curveList += (curveList.empty() ? "" : ", ") + block +
-                 (markers ? " with linespoints linewidth 2 pointtype " + std::to_string(5 + 2 * i % 10)
-                          : std::string(" with lines linewidth 2")) +
-                 " title " + quoted(curve.name);
+                 (markers ? " with linespoints pointtype " + std::to_string(kMarks[i % kStyles])
+                          : std::string(" with lines")) +
+                 style(i) + " title " + quoted(curve.name);
+  }
+  for (std::size_t i = 0; i < lines.size() && !curveList.empty(); i++) {
+    if (!drawable(lines[i].x, logX))
+      continue;
+    xs.add(lines[i].x);
+    const std::string block = "$line" + std::to_string(i);
+    const std::string x = teNumberText(lines[i].x) + ' ';
+    text += block + " << END\n" + x + teNumberText(ys.low) + '\n' + x + teNumberText(ys.high) + "\nEND\n";
+    curveList += ", " + block + " with lines dashtype 2" + style(curves.size() + i) + " title " +
+                 quoted(lines[i].name);
   }
   text += xs.range("x") + ys.range("y");
   return curveList.empty() ? std::string() : text + "plot " + curveList + "\n";

@@ -20,6 +20,12 @@ struct TePlot {
   bool logY = true;
   std::vector<Curve> curves;
   bool markers = true; ///< at the points
+  /// A vertical line at x, for what has no y to show.
+  struct Line {
+    std::string name;
+    double x = 0;
+  };
+  std::vector<Line> lines;
 
   /// The text that gnuplot reads, with its data in itself. `terminal`: "svg" or "png".
   std::string script(const std::string& terminal, const std::string& output) const;

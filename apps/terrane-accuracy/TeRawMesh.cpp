@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <type_traits>
-#include <unordered_map>
+#include <vector>
 
 struct TeRawMesh::Gl {
   void (*genBuffers)(GLsizei, GLuint*) = nullptr;
@@ -41,13 +41,13 @@ struct TeRawMesh::Gl {
 
 namespace {
 
-glm::vec3 normalAt(const TeMeasuredTerrain& terrain, int column, int row) {
+glm::vec3 normalAt(const TeLodField& field, int column, int row) {
   const auto at = [&](int x, int y) {
-    return double(terrain.heights.at(std::clamp(x, 0, terrain.cells()), std::clamp(y, 0, terrain.cells()))) *
-           terrain.heightScale;
+    return double(field.height(std::clamp(x, 0, field.cells()), std::clamp(y, 0, field.cells()))) *
+           field.heightScale();
   };
-  const double east = (at(column + 1, row) - at(column - 1, row)) / (2 * terrain.spacing);
-  const double north = (at(column, row + 1) - at(column, row - 1)) / (2 * terrain.spacing);
+  const double east = (at(column + 1, row) - at(column - 1, row)) / (2 * field.spacing());
+  const double north = (at(column, row + 1) - at(column, row - 1)) / (2 * field.spacing());
   return glm::normalize(glm::dvec3(-east, -north, 1));
 }
 
@@ -72,24 +72,16 @@ TeRawMesh::~TeRawMesh() {
     m_gl->deleteBuffers(2, m_buffers);
 }
 
-void TeRawMesh::load(const std::vector<TeSeamlessMesh::Triangle>& triangles,
-                     const TeMeasuredTerrain& terrain) {
+void TeRawMesh::load(const TeLodMesh& mesh, const TeLodField& field) {
   std::vector<float> vertices;
-  std::vector<std::uint32_t> indices;
-  std::unordered_map<std::int64_t, std::uint32_t> numbers;
-  for (const TeSeamlessMesh::Triangle& triangle : triangles)
-    for (const TeSeamlessMesh::Vertex& vertex : {triangle.a, triangle.b, triangle.c}) {
-      const auto [found, isNew] = numbers.try_emplace(
-          std::int64_t(vertex.row) * (terrain.cells() + 1) + vertex.column, std::uint32_t(numbers.size()));
-      indices.push_back(found->second);
-      if (!isNew)
-        continue;
-      const glm::vec3 normal = normalAt(terrain, vertex.column, vertex.row);
-      for (const double value : {vertex.column * terrain.spacing, vertex.row * terrain.spacing,
-                                 double(vertex.height) * terrain.heightScale, double(normal.x),
-                                 double(normal.y), double(normal.z)})
-        vertices.push_back(float(value));
-    }
+  vertices.reserve(6 * mesh.vertices.size());
+  for (const TeLodVertex& vertex : mesh.vertices) {
+    const glm::vec3 position(field.position(vertex));
+    const glm::vec3 normal = normalAt(field, vertex.column, vertex.row);
+    vertices.insert(vertices.end(), {position.x, position.y, position.z, normal.x, normal.y, normal.z});
+  }
+  std::vector<std::uint32_t> indices = mesh.indices;
+  indices.insert(indices.end(), mesh.skirts.begin(), mesh.skirts.end());
   m_count = GLsizei(indices.size());
   m_gl->bindBuffer(GL_ARRAY_BUFFER, m_buffers[0]);
   m_gl->bufferData(GL_ARRAY_BUFFER, GLsizeiptr(vertices.size() * sizeof(float)), vertices.data(),

@@ -1,14 +1,12 @@
 #pragma once
 
-#include "apps/terrane-accuracy/TeMeasuredTerrain.h"
 #include "nodes/TeNodePtr.h"
 #include "nodes/context/TeContext.h"
-#include "nodes/seamless/TeSeamlessMesh.h"
+#include "nodes/lod/TeLodField.h"
 
 #include <Inventor/nodes/SoCallback.h>
 
 #include <memory>
-#include <vector>
 
 class SoState;
 
@@ -22,8 +20,8 @@ public:
   TeRawMesh(const TeRawMesh&) = delete;
   TeRawMesh& operator=(const TeRawMesh&) = delete;
 
-  /// Replaces the triangles. The context must be current.
-  void load(const std::vector<TeSeamlessMesh::Triangle>& triangles, const TeMeasuredTerrain& terrain);
+  /// Replaces the triangles; skirts are drawn, too. The context must be current.
+  void load(const TeLodMesh& mesh, const TeLodField& field);
   /// Draws them, as a node of a scene.
   SoNode* node() { return m_node.get(); }
 

@@ -123,8 +123,8 @@ void TeSubmissionCommand::describe(const TeMeasuredTerrain& terrain, const TeFli
   auto& json = output.json();
   json["terrain"] = {{"file", terrain.name},
                      {"samples", terrain.cells() + 1},
-                     {"spacing_m", terrain.spacing},
-                     {"height_unit_m", terrain.heightScale}};
+                     {"spacing_m", terrain.spacing()},
+                     {"height_unit_m", terrain.heightScale()}};
   json["frames"] = frames();
   json["width"] = common.width;
   json["height"] = common.height;

@@ -17,10 +17,10 @@ TeResult<TeLodFieldPtr> fieldOf(const TeMeasuredTerrain& terrain, int cells) {
     return map.error();
   for (int y = 0; y <= cells; y++)
     for (int x = 0; x <= cells; x++)
-      map->at(x, y) = terrain.heights.at(x, y);
+      map->at(x, y) = terrain.heights().at(x, y);
   TeLodField::Placement placement;
-  placement.spacing = terrain.spacing;
-  placement.heightScale = terrain.heightScale;
+  placement.spacing = terrain.spacing();
+  placement.heightScale = terrain.heightScale();
   return TeLodField::create(std::make_shared<const TeHeightMap>(std::move(*map)), placement);
 }
 

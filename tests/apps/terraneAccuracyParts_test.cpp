@@ -1,7 +1,6 @@
 // What terrane-accuracy measures with: surfaces of known error, known gaps and known jumps.
 
 #include "apps/terrane-accuracy/TeLodSweep.h"
-#include "apps/terrane-accuracy/TeMeshCheck.h"
 #include "apps/terrane-accuracy/TePlot.h"
 #include "apps/terrane-accuracy/TeTable.h"
 
@@ -12,24 +11,24 @@
 
 namespace {
 
-using Mesh = std::vector<TeSeamlessMesh::Triangle>;
-
 /// 17² samples, 10 m apart, all of height 100 units of half a metre.
 TeMeasuredTerrain plain() {
-  TeMeasuredTerrain terrain{"plain", TeHeightMap::create(17, 17).value(), 10, 0.5};
-  EXPECT_TRUE(terrain.heights.fill(100, terrain.heights.bounds()));
-  return terrain;
+  TeHeightMap heights = TeHeightMap::create(17, 17).value();
+  EXPECT_TRUE(heights.fill(100, heights.bounds()));
+  return TeMeasuredTerrain::create("plain", std::move(heights), 10, 0.5).value();
 }
 
 /// Two triangles a square of `step` cells over everything, at one height.
-Mesh grid(int step, float height) {
-  Mesh mesh;
+TeLodMesh grid(int step, float height) {
+  TeLodMesh mesh;
   for (int row = 0; row < 16; row += step)
     for (int column = 0; column < 16; column += step) {
-      const TeSeamlessMesh::Vertex a{column, row, height}, b{column + step, row, height};
-      const TeSeamlessMesh::Vertex c{column + step, row + step, height}, d{column, row + step, height};
-      mesh.push_back({a, b, c, false});
-      mesh.push_back({a, c, d, false});
+      const auto first = std::uint32_t(mesh.vertices.size());
+      mesh.vertices.push_back({column, row, height});
+      mesh.vertices.push_back({column + step, row, height});
+      mesh.vertices.push_back({column + step, row + step, height});
+      mesh.vertices.push_back({column, row + step, height});
+      mesh.indices.insert(mesh.indices.end(), {first, first + 1, first + 2, first, first + 2, first + 3});
     }
   return mesh;
 }
@@ -70,8 +69,13 @@ TEST(AccuracySpread, MedianAndQuartiles) {
 }
 
 TEST(AccuracyPlot, LeavesOutWhatALogarithmCannotShow) {
-  TePlot plot{"it's \"x\"", "x [m]", "y",
-              true,         true,    {{"one", {1, 0, 10, 100}, {2, 3, -1, 4}}, {"none", {}, {}}}};
+  TePlot plot{"it's \"x\"",
+              "x [m]",
+              "y",
+              true,
+              true,
+              {{"one", {1, 0, 10, 100}, {2, 3, -1, 4}}, {"none", {}, {}}},
+              {}};
   const std::string script = plot.script("svg", "/tmp/a'b.svg");
   EXPECT_NE(script.find("set output '/tmp/a''b.svg'"), std::string::npos) << script;
   EXPECT_NE(script.find("1 2\n100 4\nEND"), std::string::npos) << script;
@@ -81,8 +85,7 @@ TEST(AccuracyPlot, LeavesOutWhatALogarithmCannotShow) {
 
 TEST(AccuracySurface, HasTheHeightsOfItsTriangles) {
   TeDrawnSurface surface(16);
-  const TeSeamlessMesh::Vertex a{0, 0, 0}, b{8, 0, 8}, c{0, 16, 32};
-  surface.draw({{a, b, c, false}});
+  surface.draw({{{0, 0, 0}, {8, 0, 8}, {0, 16, 32}}, {0, 1, 2}, {}});
   EXPECT_EQ(surface.height(0, 0), 0);
   EXPECT_EQ(surface.height(4, 0), 4);
   EXPECT_EQ(surface.height(4, 8), 20);
@@ -124,31 +127,27 @@ TEST(AccuracyErrors, JumpsAreMeasuredBetweenFrames) {
   before.draw(grid(4, 101));
   after.draw(grid(8, 100));
   TeMeasuredErrors errors;
-  errors.addJump(terrain, everything(), before, after);
+  errors.addJump(*terrain.field, everything(), before, after);
   EXPECT_NEAR(errors.popping(), 3.325, 1e-9);
 }
 
-TEST(AccuracyMeshCheck, CountsWhatIsNotShared) {
-  const TeMeasuredTerrain terrain = plain();
-  EXPECT_EQ(teCountCracks(grid(4, 100), terrain, everything()), 0);
+TEST(AccuracyMethods, AreCalledByNameAndMorph) {
+  const TeLodFieldPtr field = plain().field;
+  EXPECT_EQ(TeLodCandidate::checkName("seamless"), "");
+  EXPECT_EQ(TeLodCandidate::checkName("seamless-geomorph"), "");
+  EXPECT_NE(TeLodCandidate::checkName("none"), "");
+  EXPECT_NE(TeLodCandidate::checkName("-geomorph"), "");
+  EXPECT_TRUE(TeLodCandidate::create("seamless-geomorph", "4/2", field)->geomorph());
+  EXPECT_EQ(TeLodCandidate::create("brute", "4/2", field)->layout(), "");
+  EXPECT_FALSE(TeLodCandidate::create("brute-geomorph", "4/2", field));
+  EXPECT_FALSE(TeLodCandidate::create("seamless", "3/2", field));
+}
 
-  Mesh holed = grid(4, 100);
-  holed.erase(holed.begin() + 10);
-  EXPECT_EQ(teCountCracks(holed, terrain, everything()), 3);
-
-  Mesh lifted = grid(4, 100);
-  lifted[10].a.height = 101; // two of its edges no longer meet the neighbours'
-  EXPECT_EQ(teCountCracks(lifted, terrain, everything()), 4);
-
-  // A T-junction: one long edge, two short ones.
-  const TeSeamlessMesh::Vertex a{0, 0, 100}, b{16, 0, 100}, c{16, 16, 100}, d{0, 16, 100}, middle{8, 8, 100};
-  const Mesh junction = {{a, b, c, false}, {a, middle, d, false}, {middle, c, d, false}};
-  EXPECT_EQ(teCountCracks(junction, terrain, everything()), 3);
-
-  TeLodView blind = everything();
-  blind.planes[0] = {0, 0, 1, -1000};
-  blind.planeCount = 1;
-  EXPECT_EQ(teCountCracks(junction, terrain, blind), 0) << "cracks out of view do not count";
+TEST(AccuracyMethods, OnlyNewPartsAreSent) {
+  TeLodCandidate brute = TeLodCandidate::create("brute", "", plain().field).value();
+  brute.select(everything(), TeLodAccuracy());
+  EXPECT_EQ(brute.uploadBytes({}), 17 * 17 * 12 + 2 * 16 * 16 * 3 * 4);
+  EXPECT_EQ(brute.uploadBytes({brute.selection().parts[0].key}), 0);
 }
 
 } // namespace

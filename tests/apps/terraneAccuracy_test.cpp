@@ -1,6 +1,7 @@
 // terrane-accuracy as its users meet it: tables of the right columns, repeatable, and clear errors.
 
 #include "apps/TeAppRun.h"
+#include "nodes/lod/TeLodMethods.h"
 
 #include <cmath>
 #include <fstream>
@@ -51,9 +52,9 @@ nlohmann::json repeatable(const std::string& text) {
 
 TEST_F(TerraneAccuracy, LodMeasuresWhatItWrites) {
   const TeChildResult result = run(
-      {"lod",         "--map",     hills(),    "--cells",  "10",        "--height-unit", "0.001",
-       "--flyover",   "--methods", "seamless", "--layout", "4/2",       "--px",          "1,8",
-       "--precision", "2",         "--frames", "3",        "--no-draw", "--out",         scratch("out/lod")});
+      {"lod",       "--map",     hills(),    "--cells",  "10",        "--height-unit", "0.001",
+       "--flyover", "--methods", "seamless", "--layout", "4/2",       "--px",          "1,8",
+       "--dial",    "2",         "--frames", "3",        "--no-draw", "--out",         scratch("out/lod")});
   ASSERT_EQ(result.status, 0) << result.error;
   const std::vector<std::string> csv = lines(contents(scratch("out/lod/lod.csv")));
   ASSERT_EQ(csv.size(), 4u);
@@ -84,6 +85,27 @@ TEST_F(TerraneAccuracy, LodMeasuresWhatItWrites) {
   EXPECT_NE(contents(scratch("out/lod/lod.md")).find("| method | wanted_px |"), std::string::npos);
 }
 
+TEST_F(TerraneAccuracy, LodMeasuresAllMethodsUnlessSomeAreNamed) {
+  const TeChildResult result = run({"lod", "--map", hills(), "--layout", "4/2", "--px", "2", "--frames", "1",
+                                    "--no-draw", "--quiet", "--out", scratch("all")});
+  ASSERT_EQ(result.status, 0) << result.error;
+  const nlohmann::json json = nlohmann::json::parse(contents(scratch("all/lod.json")));
+  ASSERT_EQ(json["rows"].size(), TeLodMethods::names().size());
+  for (std::size_t i = 0; i < json["rows"].size(); i++) {
+    const nlohmann::json& row = json["rows"][i];
+    EXPECT_EQ(row["method"], TeLodMethods::names()[i]);
+    if (row["method"] != "rtin-midpoint") { // whose error is no bound
+      EXPECT_LE(row["worst_px"].get<double>(), 2.00002) << row;
+    }
+    EXPECT_EQ(row["overshoots"], 0) << row;
+    EXPECT_EQ(row["uncovered"], 0) << row;
+    EXPECT_EQ(row["cracks"], 0) << row;
+    EXPECT_GT(row["bytes_per_sample"], 2) << row;
+  }
+  EXPECT_EQ(json["rows"][0]["method"], "brute");
+  EXPECT_EQ(json["rows"][0]["worst_px"], 0);
+}
+
 TEST_F(TerraneAccuracy, LodRepeatsButForTimes) {
   const std::string map = hills();
   for (const char* folder : {"a", "b"}) {
@@ -96,8 +118,9 @@ TEST_F(TerraneAccuracy, LodRepeatsButForTimes) {
 }
 
 TEST_F(TerraneAccuracy, ARunThatFailsLeavesEarlierTablesAlone) {
-  const std::vector<std::string> lod = {"lod", "--map",    hills(), "--layout", "4/2",         "--px",
-                                        "4",   "--frames", "1",     "--out",    scratch("out")};
+  const std::vector<std::string> lod = {"lod",      "--map", hills(),       "--methods", "seamless",
+                                        "--layout", "4/2",   "--px",        "4",         "--frames",
+                                        "1",        "--out", scratch("out")};
   std::vector<std::string> first = lod;
   first.push_back("--no-draw");
   ASSERT_EQ(run(first).status, 0);
@@ -111,8 +134,8 @@ TEST_F(TerraneAccuracy, ARunThatFailsLeavesEarlierTablesAlone) {
 
 TEST_F(TerraneAccuracy, LodDrawsBesidePlainOpenGl) {
   const TeChildResult result =
-      run({"lod", "--map", hills(), "--layout", "4/2", "--px", "4", "--frames", "2", "--size", "64x48",
-           "--context", "osmesa", "--quiet", "--out", scratch("drawn")});
+      run({"lod", "--map", hills(), "--methods", "seamless", "--layout", "4/2", "--px", "4", "--frames", "2",
+           "--size", "64x48", "--context", "osmesa", "--quiet", "--out", scratch("drawn")});
   ASSERT_EQ(result.status, 0) << result.error;
   EXPECT_EQ(result.output, "");
   const nlohmann::json json = nlohmann::json::parse(contents(scratch("drawn/lod.json")));
@@ -178,7 +201,7 @@ TEST_F(TerraneAccuracy, HelpNamesTheOptions) {
   const TeChildResult lod = run({"lod", "--help"});
   EXPECT_EQ(lod.status, 0);
   for (const char* option : {"--map", "--cells", "--height-unit", "--dem", "--flyover", "--methods", "--px",
-                             "--precision", "--layout", "--stride", "--out", "--no-draw"})
+                             "--dial", "--geomorph", "--layout", "--stride", "--out", "--no-draw"})
     EXPECT_NE(lod.output.find(option), std::string::npos) << option;
 }
 
@@ -194,7 +217,12 @@ TEST_F(TerraneAccuracy, BadUsageIsRefused) {
   expectRefused({"lod", "--map", map, "--height-unit", "nan"}, 2, "--height-unit");
   expectRefused({"lod", "--map", map, "--px", "0"}, 2, "--px");
   expectRefused({"lod", "--map", map, "--px", "1,x"}, 2, "--px");
-  expectRefused({"lod", "--map", map, "--precision", "0.5"}, 2, "--precision");
+  expectRefused({"lod", "--map", map, "--dial", "x"}, 2, "--dial");
+  expectRefused({"lod", "--map", map, "--dial", "0"}, 2, "--dial");
+  expectRefused({"lod", "--map", map, "--layout", "4/2", "--dial", "seamless=0.5"}, 2, "dial 0.5");
+  expectRefused({"lod", "--map", map, "--layout", "4/2", "--dial", "brute=2"}, 2, "brute");
+  expectRefused({"lod", "--map", map, "--layout", "4/2", "--dial", "none=2"}, 2, "none");
+  expectRefused({"lod", "--map", map, "--methods", "brute-geomorph"}, 2, "morph");
   expectRefused({"lod", "--map", map, "--methods", "roam9"}, 2, "--methods");
   expectRefused({"lod", "--map", map, "--layout", "16"}, 2, "--layout");
   expectRefused({"lod", "--map", map, "--layout", "3/2"}, 2, "--layout");

@@ -47,6 +47,7 @@ const TeQuadtreeMesh::Result& TeQuadtreeMesh::update(const TeLodView& view, cons
   m_worst2 = m_worstOffset = 0;
   const double wanted = wish.threshold > 0 ? view.focal / wish.threshold : wish.pixelError;
   m_wanted2 = wanted * wanted * (wish.geomorph ? kMorphShare * kMorphShare : 1);
+  m_metric.setMorph(wish.geomorph ? morphPixels() : 0);
   m_frame++;
   std::swap(m_drawn, m_lastDrawn);
   std::swap(m_ranges, m_lastRanges);

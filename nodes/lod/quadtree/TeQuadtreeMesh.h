@@ -4,6 +4,7 @@
 #include "nodes/lod/quadtree/TeQuadtree.h"
 #include "nodes/lod/quadtree/TeQuadtreeMetric.h"
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -138,6 +139,8 @@ private:
   void beginAppend() const;
   void appendRange(std::size_t first, std::size_t count, TeLodMesh& mesh) const;
   void boundDrawn(std::uint32_t number, std::uint32_t enabled);
+  /// What vertices may be off by while they move.
+  double morphPixels() const { return std::sqrt(m_wanted2) * (1 / kMorphShare - 1); }
   float ownWeight(double error, const TeQuadtreeBox& box) const;
   float centreWeight(std::uint32_t number);
   float edgeWeight(std::uint32_t number, int side);

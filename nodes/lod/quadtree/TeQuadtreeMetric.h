@@ -55,6 +55,8 @@ public:
     return distance2 > 0 ? square / distance2 : std::numeric_limits<double>::infinity();
   }
 
+  /// From now on vertices may be drawn off their heights by so many pixels: cut() counts that.
+  void setMorph(double pixels) { m_morph = pixels > 0 && m_focal > 0 ? pixels / m_focal : 0; }
   /// Those of `planes` that cut the box; kOutside if nothing of it is in view. A box inside of another never
   /// has more.
   unsigned cut(const TeQuadtreeBox& box, unsigned planes) const;
@@ -71,6 +73,9 @@ private:
     return std::max(std::max(box.z0 * m_heightScale - m_z, m_z - box.z1 * m_heightScale) - m_slack, 0.0);
   }
 
+  /// Not less than the distance of any point of the box; of boxes inside of it, it is not more.
+  double farthest(const TeQuadtreeBox& box) const;
+
   bool m_perspective = true;
   double m_x = 0, m_y = 0; ///< eye, in the lattice
   double m_z = 0;          ///< metres above the terrain's corner
@@ -78,6 +83,7 @@ private:
   double m_focal = 1;  ///< pixels of a unit of height at a distance of a metre
   double m_focal2 = 1; ///< its square, rounded up
   double m_leastUp2 = 0;
+  double m_morph = 0; ///< heights a metre of distance
   int m_planeCount = 0;
   Plane m_planes[6] = {}; ///< over the lattice
 };

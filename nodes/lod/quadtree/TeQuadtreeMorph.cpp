@@ -65,7 +65,7 @@ void TeQuadtreeMesh::morphSquare(std::uint32_t number) {
 void TeQuadtreeMesh::morphVertex(Vertex& vertex, float a, float b, const TeQuadtreeBox& box) {
   const double distance2 = m_metric.distance2(box), height = double(vertex.height);
   const double middle = (double(a) + double(b)) / 2;
-  const double allowed = std::sqrt(m_wanted2) * (1 / kMorphShare - 1);
+  const double allowed = morphPixels();
   const double pixels = m_metric.focal() > 0 ? m_metric.focal() : 1;
   const double most = allowed * std::sqrt(distance2) / pixels;
   vertex.drawn = float(height + std::clamp((1 - double(vertex.weight)) * (middle - height), -most, most));

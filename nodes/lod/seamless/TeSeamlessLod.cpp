@@ -59,7 +59,7 @@ void TeSeamlessLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy,
   selection.visited = m_chosen.traversed;
   selection.culled = m_chosen.culled;
   selection.errorBound = m_chosen.errorBound;
-  selection.dial = m_chosen.precision;
+  selection.dial = accuracy.dial > 0 ? accuracy.dial : m_chosen.precision;
   selection.coarsening = m_chosen.coarsening;
 }
 
