@@ -115,12 +115,12 @@ TeResult<TeHeightMap> TeNormalsCommand::land(std::string& name, double& spacing)
   if (!terrain)
     return terrain.error();
   name = std::filesystem::path(terrain->name).filename().string();
-  spacing = terrain->spacing;
-  const int side = std::min(samples, terrain->heights.width());
-  const int first = (terrain->heights.width() - side) / 2;
+  spacing = terrain->spacing();
+  const int side = std::min(samples, terrain->heights().width());
+  const int first = (terrain->heights().width() - side) / 2;
   TeResult<TeHeightMap> map = TeHeightMap::create(side, side);
   if (map)
-    if (const TeStatus ok = map->addScaled(terrain->heights, float(terrain->heightScale),
+    if (const TeStatus ok = map->addScaled(terrain->heights(), float(terrain->heightScale()),
                                            {first, first, side, side}, map->bounds());
         !ok)
       return ok.error();
