@@ -25,7 +25,7 @@ struct TePlot {
     std::string name;
     double x = 0;
   };
-  std::vector<Line> lines;
+  std::vector<Line> lines{};
 
   /// The text that gnuplot reads, with its data in itself. `terminal`: "svg" or "png".
   std::string script(const std::string& terminal, const std::string& output) const;

@@ -180,8 +180,11 @@ bool TeMeshGaps::isHidden(const Open& open) const {
   bool hidden = true;
   alongEdge(open, [&](std::uint64_t place, double share) {
     const Beside& beside = m_beside.at(place);
-    hidden = hidden && beside.lowest >= glm::mix(fromBottom, toBottom, share) - tolerance &&
-             (share == 1 || beside.edges >= 2);
+    const double bottom = glm::mix(fromBottom, toBottom, share) - tolerance;
+    const auto sample = std::uint32_t(place >> 32);
+    const bool alone = share < 1 && beside.edges < 2;
+    hidden = hidden && beside.lowest >= bottom &&
+             (!alone || double(m_field->height(int(sample % m_width), int(sample / m_width))) >= bottom);
   });
   return hidden;
 }

@@ -19,8 +19,9 @@ public:
   explicit TeMeshGaps(TeLodFieldPtr field);
 
   /// Edges in view, not on the rim of the terrain, that are not shared by exactly two triangles with the same
-  /// heights at both ends. Of a mesh with skirts only those that somewhere have no surface beside them, or
-  /// one below them that their skirt does not reach down to.
+  /// heights at both ends. Of a mesh with skirts only those that somewhere have a surface below them that
+  /// their skirt does not reach down to; or none beside them, as nothing of it is in view, and a skirt that
+  /// does not reach down to the samples. (Whether samples in view are covered, TeScreenError tells.)
   std::int64_t count(const TeLodMesh& mesh, const TeLodView& view);
 
 private:

@@ -8,6 +8,8 @@
 
 namespace {
 
+/// Of a skirt, in distances of samples.
+constexpr double kLeastDepth = 1.0 / 64;
 constexpr std::uint64_t kEmpty = ~std::uint64_t(0);
 
 std::uint64_t placeOf(int column, int row) { return std::uint64_t(row) << 15 | std::uint64_t(column); }
@@ -16,7 +18,11 @@ std::uint64_t placeOf(int column, int row) { return std::uint64_t(row) << 15 | s
 
 TeChunkMesh::TeChunkMesh(const TeChunkTree& tree)
     : m_tree(tree), m_largestHeight(std::max(std::fabs(double(tree.field().lowest())),
-                                             std::fabs(double(tree.field().highest())))) {}
+                                             std::fabs(double(tree.field().highest())))) {
+  const TeLodField& field = tree.field();
+  if (field.heightScale() > 0)
+    m_leastDepth = kLeastDepth * field.spacing() / field.heightScale();
+}
 
 std::size_t TeChunkMesh::bytes() const {
   return m_table.capacity() * sizeof(Slot) + m_parents.capacity() * sizeof(double);
@@ -45,7 +51,10 @@ float TeChunkMesh::skirtDepth(const TeChunkPart& part, int side) const {
   if (beyond == TeChunkPart::Nothing)
     return 0;
   double depth = borderError(part, side);
-  if (beyond == TeChunkPart::Finer) {
+  if (beyond == TeChunkPart::Hidden) {
+    if (depth == 0)
+      return 0;
+  } else if (beyond == TeChunkPart::Finer) {
     depth += double(m_tree.largestError(part.morphing ? part.level : part.level - 1));
   } else {
     const int coarser = beyond == TeChunkPart::Equal ? 0 : beyond - TeChunkPart::Coarser + 1;
@@ -56,9 +65,7 @@ float TeChunkMesh::skirtDepth(const TeChunkPart& part, int side) const {
     other.weight = part.morphing ? 0 : TeChunkPart::kWhole;
     depth += borderError(other, (side + 2) % 4);
   }
-  if (depth == 0)
-    return 0;
-  return float(depth * (1 + 0x1p-20) + 4 * rounding()); // more than rounding takes away
+  return float(depth * (1 + 0x1p-20) + 4 * rounding() + m_leastDepth); // more than rounding takes away
 }
 
 std::int64_t TeChunkMesh::triangles(const TeChunkPart& part) const {

@@ -16,8 +16,11 @@
 /// Skirts. Two chunks that meet along a line are polylines over it, a and b, with corners on samples. If they
 /// deviate from the samples of the line by at most ea and eb, |a - b| <= ea + eb all along. A part's skirt at
 /// a side hangs from its border, parallel to it, by ea + eb, where eb allows for every chunk that may lie
-/// beyond a side of that kind (Beyond); so where it is the higher one its wall reaches the lower one. Each
-/// number is static: a part is a function of its key.
+/// beyond a side of that kind (Beyond); so where it is the higher one its wall reaches the lower one. Where
+/// both deviate by nothing a little is left, for a vertex in the middle of an edge is not drawn exactly on
+/// it. Beyond a side there may be a chunk that is not in view, while the border is, for it deviates from the
+/// samples: there the wall reaches the samples, which are not in view. Each number is static: a part is a
+/// function of its key.
 ///
 /// Cost: about 30 ns a triangle. One thread at a time; keeps its tables.
 class TeChunkMesh {
@@ -59,7 +62,8 @@ private:
   std::pair<std::uint32_t, bool> numberOf(std::uint64_t what, std::uint32_t next);
 
   const TeChunkTree& m_tree;
-  double m_largestHeight; ///< of all samples, absolute
+  double m_largestHeight;  ///< of all samples, absolute
+  double m_leastDepth = 0; ///< of skirts
   struct Slot {
     std::uint64_t what;
     std::uint32_t number;

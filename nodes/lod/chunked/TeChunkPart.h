@@ -11,7 +11,8 @@ struct TeChunkPart {
 
   /// What lies beyond a side, as far as a skirt must know.
   enum Beyond : int {
-    Nothing, ///< no skirt: the terrain ends, nothing is in view, or the same vertices
+    Nothing, ///< no skirt: the terrain ends, or the same vertices
+    Hidden,  ///< nothing that is in view
     Finer,
     Equal,   ///< of the same level, but maybe morphed otherwise
     Coarser, ///< by one level; more: as many above
@@ -29,7 +30,7 @@ struct TeChunkPart {
     key = key << 9 | std::uint64_t(weight);
     key = key << 1 | std::uint64_t(morphing);
     for (const int side : beyond)
-      key = key << 4 | std::uint64_t(side);
+      key = key << 5 | std::uint64_t(side);
     return key;
   }
   static TeChunkPart of(std::uint64_t key) {
@@ -40,7 +41,7 @@ struct TeChunkPart {
     };
     TeChunkPart part;
     for (std::size_t side = part.beyond.size(); side-- > 0;)
-      part.beyond[side] = take(4);
+      part.beyond[side] = take(5);
     part.morphing = take(1) != 0;
     part.weight = take(9);
     part.x = take(13);

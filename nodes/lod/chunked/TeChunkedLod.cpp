@@ -135,9 +135,9 @@ int TeChunkedLod::beyond(const TeChunkPart& part, int side) const {
     if (state == State::Drawn)
       return TeChunkPart::Coarser + level - part.level - 1;
     if (state == State::Divided)
-      break; // nothing of it is in view
+      break;
   }
-  return TeChunkPart::Nothing;
+  return TeChunkPart::Hidden;
 }
 
 void TeChunkedLod::appendPart(std::size_t part, TeLodMesh& mesh) const {

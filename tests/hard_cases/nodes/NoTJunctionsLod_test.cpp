@@ -4,8 +4,7 @@
 
 // Random cameras over all fields that have broken LOD methods: the whole mesh has no gap and no overlap, or
 // skirts hide what there is.
-// Not yet for Chunked LOD: beside single spikes a few of its borders count as open.
-LOD_TEST_WITHOUT(HardCase, NoTJunctionsLod, "chunked") {
+LOD_TEST(HardCase, NoTJunctionsLod) {
   std::mt19937 random(4);
   std::int64_t meshes = 0, triangles = 0;
   for (int stress = 0; stress <= int(StressField::Flat); stress++)

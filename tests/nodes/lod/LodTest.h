@@ -11,9 +11,9 @@
 #include <string>
 #include <utility>
 
-/// Registers `body` once for each LOD method but `without`, as SUITE.NAME/METHOD.
+/// Registers `body` once for each LOD method, as SUITE.NAME/METHOD.
 inline bool registerLodTest(const char* suite, const char* name, const char* file, int line,
-                            void (*body)(const std::string& method), const std::string& without) {
+                            void (*body)(const std::string& method)) {
   class MethodTest : public testing::Test {
   public:
     MethodTest(void (*body)(const std::string&), std::string method)
@@ -25,18 +25,16 @@ inline bool registerLodTest(const char* suite, const char* name, const char* fil
     std::string m_method;
   };
   for (const std::string& method : TeLodMethods::names())
-    if (method != without)
-      testing::RegisterTest(suite, (std::string(name) + '/' + method).c_str(), nullptr, nullptr, file, line,
-                            [=]() -> testing::Test* { return new MethodTest(body, method); });
+    testing::RegisterTest(suite, (std::string(name) + '/' + method).c_str(), nullptr, nullptr, file, line,
+                          [=]() -> testing::Test* { return new MethodTest(body, method); });
   return true;
 }
 
 /// LOD_TEST(Suite, Name) { … uses `name` of a method … }
-#define LOD_TEST(suite, test) LOD_TEST_WITHOUT(suite, test, "")
-#define LOD_TEST_WITHOUT(suite, test, without)                                                               \
+#define LOD_TEST(suite, test)                                                                                \
   static void suite##test(const std::string& name);                                                          \
   static const bool suite##test##Registered =                                                                \
-      registerLodTest(#suite, #test, __FILE__, __LINE__, suite##test, without);                              \
+      registerLodTest(#suite, #test, __FILE__, __LINE__, suite##test);                                       \
   static void suite##test([[maybe_unused]] const std::string& name)
 
 inline TeLodFieldPtr lodField(TeHeightMap map, const TeLodField::Placement& placement = {}) {

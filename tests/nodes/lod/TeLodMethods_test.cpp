@@ -23,8 +23,7 @@ TEST(TeLodMethods, NamesAreUniqueAndMadeByName) {
 }
 
 // For a true camera within the slack of the one that was told, too.
-// Not yet for Chunked LOD: beside single spikes a few of its borders count as open.
-LOD_TEST_WITHOUT(LodMethod, BoundHolds, "chunked") {
+LOD_TEST(LodMethod, BoundHolds) {
   std::mt19937 random(20);
   const auto uniform = [&](double low, double high) {
     return std::uniform_real_distribution<double>(low, high)(random);

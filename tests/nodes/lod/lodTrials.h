@@ -137,7 +137,7 @@ template <class Create> void expectThatBoundsHold(Create create, std::mt19937& r
 inline void expectThatKeysStandForTriangles(TeLodMethod& method, TeLodMethod& again, std::mt19937& random) {
   std::map<std::uint64_t, TeLodMesh> known;
   int met = 0;
-  for (int camera = 0; camera < 60; camera++) {
+  for (int camera = 0; camera < 100; camera++) {
     const TeLodView view = anyView(method.field(), false, random);
     const TeLodAccuracy accuracy = anyAccuracy(random);
     method.select(view, accuracy);
