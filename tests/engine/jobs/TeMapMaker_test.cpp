@@ -6,7 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <chrono>
 #include <mutex>
+#include <thread>
 
 namespace {
 
@@ -47,7 +49,7 @@ Jobs blockOfJobs(TePatchDatabase& database, TeMapMaker& maker, int radius) {
   return jobs;
 }
 
-/// Ticks until all have ended; the number of ticks.
+/// Ticks until all have ended; the number of ticks. Leaves workers some time between them.
 int runAll(Jobs& jobs, TeMapMaker& maker, int units) {
   int ticks = 0;
   for (bool working = true; working && ticks < 100000; ++ticks) {
@@ -59,6 +61,8 @@ int runAll(Jobs& jobs, TeMapMaker& maker, int units) {
         job->step(allowance);
       working = working || job->progress() == TeProgress::Working;
     }
+    if (maker.handedOver() > 0)
+      std::this_thread::sleep_for(std::chrono::microseconds(20));
   }
   return ticks;
 }
