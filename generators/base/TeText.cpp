@@ -76,11 +76,15 @@ std::string teNumberText(double number) {
 }
 
 std::string teFormat(const char* format, ...) {
-  char text[kTeMostFormatted + 1];
   std::va_list values;
   va_start(values, format);
-  std::vsnprintf(text, sizeof text, format, values);
+  std::va_list again;
+  va_copy(again, values);
+  const int length = std::vsnprintf(nullptr, 0, format, values);
   va_end(values);
+  std::string text(std::size_t(std::max(0, length)), '\0');
+  std::vsnprintf(text.data(), text.size() + 1, format, again);
+  va_end(again);
   return text;
 }
 

@@ -16,8 +16,7 @@ std::string teNearest(std::string_view given, const std::vector<std::string>& ca
 /// "; did you mean X? (known: A, B, C)": what error messages about an unknown name say in the end.
 std::string teKnownNames(std::string_view given, const std::vector<std::string>& candidates);
 
-/// As printf, at most kTeMostFormatted characters; the rest is cut.
-inline constexpr int kTeMostFormatted = 159;
+/// As printf.
 std::string teFormat(const char* format, ...) __attribute__((format(printf, 1, 2)));
 
 /// 16 hexadecimal digits.
