@@ -6,9 +6,12 @@
 
 #include <glm/geometric.hpp>
 
+#include <algorithm>
 #include <cmath>
 
 namespace {
+
+constexpr std::size_t kLongest = 159; ///< a line, bytes
 
 /// To one decimal, and never "-0.0".
 double tenths(double value) { return std::round(10 * value) / 10 + 0.0; }
@@ -55,5 +58,7 @@ std::vector<std::string> teHudLines(const TeObject& object, const TeStatistics& 
                            statistics.errorBoundPixels));
   if (statistics.pixelError > 0)
     lines.push_back(accuracyLine(statistics));
+  for (std::string& line : lines)
+    line.resize(std::min(line.size(), kLongest));
   return lines;
 }
