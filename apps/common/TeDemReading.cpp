@@ -1,13 +1,14 @@
 #include "apps/common/TeDemReading.h"
 
-void TeDemReading::addTo(TeCommandLine& commandLine, CLI::Option* dem, const std::string& group) {
-  CLI::App& cli = commandLine.cli();
+void TeDemReading::addTo(CLI::App& cli, CLI::Option* dem, const std::string& group) {
   cli.add_option("--vertical-unit", verticalUnit, "Of its heights: m, ft, dm, 0.1, ... (default: the file's)")
       ->check(TeCommandLine::notEmpty())
       ->option_text("UNIT")
       ->needs(dem)
       ->group(group);
-  commandLine.addNumber("--posts", posts, 1e-6, 1e6, "Metres between its posts (default: as the file says)")
+  cli.add_option("--posts", posts, "Metres between its posts (default: as the file says)")
+      ->check(TeCommandLine::within(1e-6, 1e6))
+      ->option_text("X")
       ->needs(dem)
       ->group(group);
   cli.add_option_function<std::string>(

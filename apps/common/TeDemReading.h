@@ -14,7 +14,7 @@ struct TeDemReading {
   bool fillVoids = false;
 
   /// Adds the options, which need --dem, to a command line.
-  void addTo(TeCommandLine& commandLine, CLI::Option* dem, const std::string& group);
+  void addTo(CLI::App& cli, CLI::Option* dem, const std::string& group);
   /// Error: --vertical-unit is none.
   TeResult<TeElevationOptions> options() const;
 };

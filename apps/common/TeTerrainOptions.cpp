@@ -57,7 +57,7 @@ void TeTerrainOptions::addElevationData(TeCommandLine& commandLine) {
                           ->option_text("FILE")
                           ->excludes("--generator")
                           ->group(group);
-  reading.addTo(commandLine, file, group);
+  reading.addTo(cli, file, group);
   cli.add_option("--outside", outside,
                  "Beyond the file: hole, clamp, a height, or a generator (default: hole)")
       ->check(TeCommandLine::notEmpty())

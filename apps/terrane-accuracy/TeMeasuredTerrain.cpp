@@ -74,8 +74,9 @@ TeResult<TeMeasuredTerrain> TeMeasuredTerrain::readMap(const std::string& file, 
   return create(file, std::move(*map), spacing, heightScale);
 }
 
-TeResult<TeMeasuredTerrain> TeMeasuredTerrain::readDem(const std::string& file) {
-  const TeResult<TeElevationFilePtr> opened = TeElevationFile::open(file);
+TeResult<TeMeasuredTerrain> TeMeasuredTerrain::readDem(const std::string& file,
+                                                       const TeElevationOptions& options) {
+  const TeResult<TeElevationFilePtr> opened = TeElevationFile::open(file, options);
   if (!opened)
     return opened.error();
   const TeElevationFile& dem = **opened;

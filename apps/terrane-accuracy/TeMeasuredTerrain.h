@@ -1,5 +1,6 @@
 #pragma once
 
+#include "generators/elevation/TeElevationOptions.h"
 #include "nodes/lod/TeFlyover.h"
 #include "nodes/lod/TeLodField.h"
 
@@ -28,5 +29,5 @@ struct TeMeasuredTerrain {
   static TeResult<TeMeasuredTerrain> readMap(const std::string& file, double spacing, double heightScale);
   /// The largest square of 2^n + 1 posts in the middle of an elevation file, at its own posts. Error: a file
   /// that cannot be read, whose posts are not equally far apart, or with missing heights there.
-  static TeResult<TeMeasuredTerrain> readDem(const std::string& file);
+  static TeResult<TeMeasuredTerrain> readDem(const std::string& file, const TeElevationOptions& options = {});
 };

@@ -1,7 +1,5 @@
 #include "apps/terrane-accuracy/TeTerrainChoice.h"
 
-#include "apps/common/TeCommandLine.h"
-
 void TeTerrainChoice::addTo(CLI::App& command) {
   const std::string group = "Terrain";
   CLI::Option* file =
@@ -22,17 +20,23 @@ void TeTerrainChoice::addTo(CLI::App& command) {
       ->option_text("METRES")
       ->needs(file)
       ->group(group);
-  command.add_option("--dem", dem, "Elevation file: the largest square of 2^n + 1 posts in its middle")
-      ->check(TeCommandLine::notEmpty())
-      ->option_text("FILE")
-      ->excludes(file)
-      ->group(group);
+  CLI::Option* elevation =
+      command.add_option("--dem", dem, "Elevation file: the largest square of 2^n + 1 posts in its middle")
+          ->check(TeCommandLine::notEmpty())
+          ->option_text("FILE")
+          ->excludes(file)
+          ->group(group);
+  reading.addTo(command, elevation, group);
 }
 
 TeResult<TeMeasuredTerrain> TeTerrainChoice::read() const {
   if (!map.empty())
     return TeMeasuredTerrain::readMap(map, cells, heightUnit);
-  if (!dem.empty())
-    return TeMeasuredTerrain::readDem(dem);
+  if (!dem.empty()) {
+    const TeResult<TeElevationOptions> options = reading.options();
+    if (!options)
+      return options.error();
+    return TeMeasuredTerrain::readDem(dem, *options);
+  }
   return TeError{"--map or --dem is required"};
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "apps/common/TeDemReading.h"
 #include "apps/terrane-accuracy/TeMeasuredTerrain.h"
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,7 @@ struct TeTerrainChoice {
   double cells = 10;
   double heightUnit = 0.03;
   std::string dem;
+  TeDemReading reading;
 
   void addTo(CLI::App& command);
   /// Error: none or two given, a file that cannot be used.

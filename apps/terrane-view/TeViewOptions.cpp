@@ -56,7 +56,7 @@ void TeViewOptions::addInput(TeCommandLine& commandLine) {
       ->group(group);
 
   const std::string data = "Elevation file";
-  reading.addTo(commandLine, file, data);
+  reading.addTo(cli, file, data);
   commandLine
       .addInteger("--resolution", resolution, 16, 8192,
                   "Cells a side, a power of two, to which it is resampled (default: about its own)")

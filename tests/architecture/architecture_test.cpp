@@ -317,6 +317,7 @@ const std::set<std::string> kTestsOfLaws = {
     "tests/generators/TeEveryGenerator_test.cpp",
     "tests/generators/elevation/RealElevationData_test.cpp",
     "tests/generators/noise/TeNoiseReference_test.cpp",
+    "tests/nodes/lod/LodFlight_test.cpp",
     "tests/nodes/lod/quadtree/SmallestMesh_test.cpp",
     "tests/nodes/seamless/ErrorBoundHolds_test.cpp",
     "tests/patchdb/FittingBorders_test.cpp",
