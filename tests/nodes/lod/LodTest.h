@@ -47,7 +47,7 @@ inline std::unique_ptr<TeLodMethod> lodMethod(const std::string& name, const TeL
   return method ? std::move(*method) : nullptr;
 }
 
-/// Whether a method says how wrong it is. The midpoint error of RTIN is none that bounds (docs/lod-rtin.md);
+/// Whether a method says how wrong it is. The midpoint error of RTIN is none that bounds (docs/rtin.md);
 /// it is there to be compared with.
 inline bool statesBounds(const std::string& name) { return name != "rtin-midpoint"; }
 
