@@ -10,9 +10,12 @@ namespace {
 constexpr double kSure = 4;     ///< standard deviations that noise does not explain
 constexpr double kFarthest = 3; ///< of a cost from the goal that counts
 constexpr double kOutlier = 3;  ///< standard deviations from the median that count
+constexpr double kFirstNoise = 0.1;
 constexpr double kLeastNoise = 0.05;
 constexpr double kMostStep = 0.5; ///< from frame to frame that is taken for noise
+constexpr double kLikely = 3;     ///< standard deviations
 constexpr double kNoiseRate = 0.1;
+constexpr double kMeanDistance = 1.128; ///< of two independent normal values, in standard deviations
 constexpr double kLeastElasticity = 0.1;
 constexpr double kMostElasticity = 3;
 constexpr double kLearn = 4;       ///< factor by which one move may change the elasticity
@@ -20,11 +23,21 @@ constexpr double kShorter = 0.8;   ///< a way down is taken shorter: the elastic
 constexpr double kLeastMove = 0.1; ///< that something is learned from
 constexpr double kShortest = 0.03; ///< seconds that say something, but kEnough frames always do
 constexpr int kEnough = 8;
-constexpr int kSettled = 8; ///< frames after which a cost is known well enough to learn from it
+constexpr int kMostFrames = 1 << 30; ///< that are counted; both are multiples of kWindow
+constexpr int kMostFailures = 12;    ///< that are counted
+constexpr int kSettled = 8;          ///< frames after which a cost is known well enough to learn from it
+
+double leastNoise(int scale) {
+  return (scale == 0 ? 1.0 : 0.5) * kLeastNoise / std::sqrt(double(1 << scale));
+}
 
 } // namespace
 
-TeQuality::TeQuality() : m_least(std::log(kFinest)), m_most(std::log(kCoarsest)) {}
+TeQuality::TeQuality() : m_least(std::log(kFinest)), m_most(std::log(kCoarsest)) {
+  for (int scale = 0; scale < kScales; ++scale)
+    m_noise[std::size_t(scale)] = leastNoise(scale);
+  m_noise[0] = kFirstNoise;
+}
 
 TeStatus TeQuality::setGoal(double seconds) {
   if (seconds != 0 && !(seconds >= kLeastGoal && seconds <= kMostGoal))
@@ -60,6 +73,7 @@ void TeQuality::restart() {
   m_direction = 0;
   m_failures = 0;
   m_learns = m_restKnown = false;
+  m_restSeconds = 0;
 }
 
 void TeQuality::frameDrawn(double seconds) {
@@ -71,7 +85,7 @@ void TeQuality::frameDrawn(double seconds) {
   else if (m_blind > 0)
     --m_blind;
   else
-    measure(cost);
+    measure(seconds, cost);
   m_lastCost = cost;
 }
 
@@ -86,22 +100,45 @@ void TeQuality::slew(double seconds, double cost) {
     m_error = std::max(m_target, m_error - 0.5 * std::log(2.0) * std::min(m_goal / kDoubling, 1.0));
   if (!moving()) {
     m_frames = 0;
+    m_restSeconds = 0;
     m_blind = kLatency;
   }
 }
 
-void TeQuality::measure(double cost) {
+void TeQuality::measure(double seconds, double cost) {
+  m_restSeconds += seconds;
   m_costs[std::size_t(m_frames++ % kWindow)] = cost;
+  if (m_frames == kMostFrames)
+    m_frames = 2 * kWindow;
   decide();
   // Later, so that a dearer frame cannot hide behind the noise that it makes.
   if (m_frames >= 2)
     followNoise(cost);
 }
 
+double TeQuality::meanOf(int frames, int back) const {
+  double sum = 0;
+  for (int i = 0; i < frames; ++i)
+    sum += m_costs[std::size_t((m_frames - 1 - back - i) % kWindow)];
+  return sum / frames;
+}
+
+/// What other programs do to a frame's cost lasts for many frames, and then the mean of many differs as much
+/// as that of a few: each length has a deviation of its own.
 void TeQuality::followNoise(double cost) {
-  // Of two independent normal values the mean distance is 1.128 standard deviations.
-  const double step = std::min(std::fabs(cost - m_lastCost), kMostStep) / 1.128;
-  m_noise = std::max(kLeastNoise, m_noise + kNoiseRate * (step - m_noise));
+  const auto follow = [this](int scale, double distance, double most) {
+    double& noise = m_noise[std::size_t(scale)];
+    const double seen = std::min(distance, most) / kMeanDistance;
+    noise = std::max(leastNoise(scale), noise + kNoiseRate * (seen - noise));
+  };
+  follow(0, std::fabs(cost - m_lastCost), kMostStep);
+  for (int scale = 1; scale < kScales; ++scale) {
+    const int frames = 1 << scale;
+    // A change of the load is a single large distance: it counts as one that is just likely.
+    if (m_frames % frames == 0 && m_frames >= 2 * frames)
+      follow(scale, std::fabs(meanOf(frames, 0) - meanOf(frames, frames)),
+             kLikely * m_noise[std::size_t(scale)]);
+  }
 }
 
 /// Of the last frames, without what a single odd one does to a mean.
@@ -118,12 +155,16 @@ double TeQuality::estimate(int frames) const {
   const double median = 0.5 * (sorted[std::size_t((frames - 1) / 2)] + sorted[std::size_t(frames / 2)]);
   double sum = 0;
   for (int i = 0; i < frames; ++i)
-    sum += std::clamp(sorted[std::size_t(i)], median - kOutlier * m_noise, median + kOutlier * m_noise);
+    sum += std::clamp(sorted[std::size_t(i)], median - kOutlier * m_noise[0], median + kOutlier * m_noise[0]);
   return sum / frames;
 }
 
-double TeQuality::band(int frames) const {
-  return std::max(kDeadBand, kSure * m_noise / std::sqrt(double(frames)));
+/// What the mean of 2^scale frames has to be off the goal by.
+double TeQuality::band(int scale) const {
+  const double ofFrames = kSure * m_noise[0] / std::sqrt(double(1 << scale));
+  // A mean of half as many differs by no less.
+  const double ofMeans = scale >= 2 ? kSure * m_noise[std::size_t(scale - 1)] : 0;
+  return std::max({kDeadBand, ofFrames, ofMeans});
 }
 
 /// A large change shows in few frames, a small one only in many.
@@ -131,51 +172,68 @@ void TeQuality::decide() {
   double highest = -std::numeric_limits<double>::infinity();
   double dear = 0;
   double cost = 0; ///< of the most frames
-  bool isCheap = false;
-  for (int frames = 2; frames <= std::min(m_frames, kWindow); frames *= 2) {
+  bool isCheap = false, isNews = false;
+  for (int scale = 1; 1 << scale <= std::min(m_frames, kWindow); ++scale) {
+    const int frames = 1 << scale;
     if (frames < kEnough && frames * m_goal < kShortest)
       continue;
     cost = estimate(frames);
     highest = std::max(highest, cost);
-    if (cost > band(frames))
+    if (cost > band(scale))
       dear = std::max(dear, cost);
-    isCheap = isCheap || cost < -band(frames);
+    isCheap = isCheap || cost < -band(scale);
+    isNews = isNews || (m_restKnown && cost < m_restCost - std::max(kNews, band(scale)));
   }
   if (dear > 0)
-    return move(dear);
-  if (m_failures > 0 && m_frames >= kSettled / 2 && m_frames <= kWindow) {
+    return rise(dear);
+  if (m_failures > 0 && m_direction > 0 && m_frames >= kSettled / 2 && m_frames <= kWindow) {
     m_restKnown = true;
     m_restCost = cost;
   }
+  if (isNews || (m_frames >= kSettled && m_error <= m_dearError))
+    m_failures = 0; // it is not too dear any more
   if (isCheap && highest < -kDeadBand && mayFall(highest))
-    return move(highest);
-  if (m_learns && m_frames == kSettled)
+    return fall(highest);
+  if (m_frames == kSettled)
     learn(cost);
 }
 
 bool TeQuality::mayFall(double cost) const {
-  return m_failures == 0 || (m_failures == 1 && cost < -kNews) || (m_restKnown && cost < m_restCost - kNews);
+  return m_failures == 0 ||
+         (cost < -kNews && (m_failures == 1 || m_restSeconds >= std::ldexp(kPatience, 2 * (m_failures - 2))));
 }
 
-void TeQuality::move(double cost) {
+void TeQuality::rise(double cost) {
   learn(cost);
-  double target = m_error + cost / m_elasticity * (cost < 0 ? kShorter : 1.0);
-  if (cost < 0 && m_failures > 0) {
-    if (m_restKnown && cost < m_restCost - kNews)
-      m_failures = 0;
-    else
-      target = std::max(target, 0.5 * (m_error + m_dearError));
-  }
-  target = std::clamp(target, m_least, m_most);
-  if (target == m_error)
-    return; // at an end of the range
-  const int direction = target > m_error ? 1 : -1;
-  if (direction > 0 && m_direction < 0) {
-    ++m_failures;
+  double target = m_error + cost / m_elasticity;
+  const bool isFailure = m_direction < 0;
+  if (isFailure && m_failures > 0)
+    target = std::max(target, m_safeError);
+  if (std::min(target, m_most) == m_error)
+    return; // at the coarse end
+  if (isFailure) {
+    m_failures = std::min(m_failures + 1, kMostFailures);
     m_dearError = m_error;
   }
   m_restKnown = false;
-  m_direction = direction;
+  move(std::min(target, m_most), cost);
+}
+
+void TeQuality::fall(double cost) {
+  learn(cost);
+  double target = m_error + kShorter * cost / m_elasticity;
+  if (m_failures > 0)
+    target =
+        std::max(target, m_failures == 1 && m_direction > 0 ? 0.5 * (m_error + m_dearError) : m_dearError);
+  target = std::max(target, m_least);
+  if (target >= m_error)
+    return; // at the fine end
+  m_safeError = m_error;
+  move(target, cost);
+}
+
+void TeQuality::move(double target, double cost) {
+  m_direction = target > m_error ? 1 : -1;
   m_learns = true;
   m_errorBefore = m_error;
   m_costBefore = cost;

@@ -16,8 +16,10 @@
 /// * Hysteresis: nothing changes while the cost is within kDeadBand of the goal, or within what the frames'
 ///   own noise explains. A single odd frame changes nothing.
 /// * No oscillation: if less error proved too dear, it is tried once more, half as far, and then not again
-///   until frames are cheaper by kNews. Where the scene's load does not change, the error changes its
-///   direction four times at most.
+///   until frames are cheaper by kNews, or kPatience seconds have passed, each time in vain four times as
+///   many. So where neither load nor noise of the scene explains it, the error changes its direction four
+///   times and then twice in 1, 4, 16 … times kPatience; and where load or noise did, it is not held for
+///   true for ever.
 /// * Smooth: the error grows by no more than a factor of 2, and falls by no more than the root of 2, in
 ///   kDoubling seconds or in a frame, whichever is less.
 ///
@@ -33,6 +35,7 @@ public:
   static constexpr double kDeadBand = 0.05; ///< of the cost, as its logarithm
   static constexpr double kNews = 0.1;
   static constexpr double kDoubling = 0.1; ///< seconds
+  static constexpr double kPatience = 1;   ///< seconds
   static constexpr int kLatency = 1;       ///< frames
 
   TeQuality();
@@ -58,18 +61,22 @@ public:
 
 private:
   static constexpr int kWindow = 32; ///< frames at one error that are looked at
+  static constexpr int kScales = 5;  ///< 1, 2, … 16 frames
 
   void restart();
   void setTarget(double error);
   void slew(double seconds, double cost);
-  void measure(double cost);
+  void measure(double seconds, double cost);
   void decide();
   double estimate(int frames) const;
   bool mayFall(double cost) const;
-  double band(int frames) const;
-  void move(double cost);
+  double band(int scale) const;
+  void rise(double cost);
+  void fall(double cost);
+  void move(double target, double cost);
   void learn(double cost);
   void followNoise(double cost);
+  double meanOf(int frames, int back) const;
 
   double m_goal = 0;
   // Logarithms: of pixels, and of cost over goal.
@@ -79,9 +86,9 @@ private:
   double m_target = 0;
   std::array<double, kWindow> m_costs{}; ///< of the last frames at this error; a ring
   int m_frames = 0;
-  int m_blind = 0;       ///< frames that may still be those of another error
-  double m_lastCost = 0; ///< of the frame before
-  double m_noise = 0.1;  ///< standard deviation of a frame's cost
+  int m_blind = 0;                     ///< frames that may still be those of another error
+  double m_lastCost = 0;               ///< of the frame before
+  std::array<double, kScales> m_noise; ///< standard deviations of the mean of 1, 2, … frames
   double m_elasticity = 1;
   int m_direction = 0; ///< of the last move
   bool m_learns = false;
@@ -89,6 +96,8 @@ private:
   double m_costBefore = 0;
   int m_failures = 0;       ///< less error proved too dear so many times
   double m_dearError = 0;   ///< the last time
+  double m_safeError = 0;   ///< from where that was tried
+  double m_restSeconds = 0; ///< at this error
   bool m_restKnown = false; ///< m_restCost is
   double m_restCost = 0;    ///< where it came to rest after that
 };
