@@ -1,6 +1,6 @@
 #include "nodes/lod/quadtree/TeQuadtreeLod.h"
 
-#include "nodes/lod/quadtree/TeQuadtreeBudget.h"
+#include "nodes/lod/TeMeshBudget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -39,7 +39,7 @@ void TeQuadtreeLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy,
   };
   const double last = usesDial ? accuracy.dial / m_accepted : m_accepted / first;
   const bool wasCoarser = m_accepted > 0 && m_acceptedDial == usesDial && last > 1 && std::isfinite(last);
-  const double coarsening = TeQuadtreeBudget::search(accuracy.maxTriangles, wasCoarser ? last : 1, triangles);
+  const double coarsening = TeMeshBudget::search(accuracy.maxTriangles, wasCoarser ? last : 1, triangles);
   m_accepted = usesDial ? accuracy.dial / coarsening : first * coarsening;
   m_acceptedDial = usesDial;
 

@@ -1,6 +1,6 @@
 #include "nodes/lod/rtin/TeRtinLod.h"
 
-#include "nodes/lod/quadtree/TeQuadtreeBudget.h"
+#include "nodes/lod/TeMeshBudget.h"
 
 #include <algorithm>
 #include <functional>
@@ -190,7 +190,7 @@ void TeRtinLod::choose(const TeLodView& view, const TeLodAccuracy& accuracy, TeA
   };
   const double last = m_acceptedDial == usesDial ? m_accepted / first : 0;
   selection.coarsening =
-      TeQuadtreeBudget::search(accuracy.maxTriangles, std::max(1.0, last), std::cref(triangles));
+      TeMeshBudget::search(accuracy.maxTriangles, std::max(1.0, last), std::cref(triangles));
   m_accepted = selection.coarsening > 1 ? first * selection.coarsening : 0;
   m_acceptedDial = usesDial;
 }

@@ -4,7 +4,7 @@
 #include <functional>
 
 /// Finds how much coarser a mesh has to be to keep a budget.
-class TeQuadtreeBudget {
+class TeMeshBudget {
 public:
   static constexpr double kUsed = 0.95; ///< of the budget, at least, where it is needed
   static constexpr int kTries = 12;     ///< to come so close

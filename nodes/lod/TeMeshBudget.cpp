@@ -1,4 +1,4 @@
-#include "nodes/lod/quadtree/TeQuadtreeBudget.h"
+#include "nodes/lod/TeMeshBudget.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,7 +11,7 @@ constexpr double kAim = 0.975; ///< of the budget: the middle of what is accepte
 
 } // namespace
 
-double TeQuadtreeBudget::search(std::int64_t budget, double start,
+double TeMeshBudget::search(std::int64_t budget, double start,
                                 const std::function<std::int64_t(double)>& triangles) {
   double tooFine = 0, keeps = 0; // tried ones; 0: none
   double tried = start, before = 0, countBefore = 0;
