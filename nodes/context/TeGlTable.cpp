@@ -1,46 +1,33 @@
 #include "nodes/context/TeGlTable.h"
 
-namespace {
+#include "nodes/context/TeGlLoader.h"
 
-using Lookup = std::function<void*(const char*)>;
-
-template <class Function> bool find(const Lookup& lookup, const char* name, Function*& function) {
-  function = reinterpret_cast<Function*>(lookup(name));
-  return function != nullptr;
-}
-
-} // namespace
-
-TeResult<TeGlTable> TeGlTable::load(const Lookup& lookup) {
+TeResult<TeGlTable> TeGlTable::load(const std::function<void*(const char*)>& procAddress) {
   TeGlTable gl;
-  const char* missing = nullptr;
-  const auto need = [&](const char* name, auto*& function) {
-    if (!find(lookup, name, function))
-      missing = name;
-  };
-  need("glGetString", gl.getString);
-  need("glGetError", gl.getError);
-  need("glGetIntegerv", gl.getIntegerv);
-  need("glEnable", gl.enable);
-  need("glDisable", gl.disable);
-  need("glClearColor", gl.clearColor);
-  need("glClearDepth", gl.clearDepth);
-  need("glClear", gl.clear);
-  need("glViewport", gl.viewport);
-  need("glFinish", gl.finish);
-  need("glPixelStorei", gl.pixelStorei);
-  need("glReadPixels", gl.readPixels);
-  need("glGenFramebuffers", gl.genFramebuffers);
-  need("glDeleteFramebuffers", gl.deleteFramebuffers);
-  need("glBindFramebuffer", gl.bindFramebuffer);
-  need("glCheckFramebufferStatus", gl.checkFramebufferStatus);
-  need("glFramebufferRenderbuffer", gl.framebufferRenderbuffer);
-  need("glBlitFramebuffer", gl.blitFramebuffer);
-  need("glGenRenderbuffers", gl.genRenderbuffers);
-  need("glDeleteRenderbuffers", gl.deleteRenderbuffers);
-  need("glBindRenderbuffer", gl.bindRenderbuffer);
-  need("glRenderbufferStorageMultisample", gl.renderbufferStorageMultisample);
-  if (missing)
-    return TeError{std::string("OpenGL lacks ") + missing + "; version 3.0 is needed"};
+  TeGlLoader loader(procAddress);
+  loader.need("glGetString", gl.getString);
+  loader.need("glGetError", gl.getError);
+  loader.need("glGetIntegerv", gl.getIntegerv);
+  loader.need("glEnable", gl.enable);
+  loader.need("glDisable", gl.disable);
+  loader.need("glClearColor", gl.clearColor);
+  loader.need("glClearDepth", gl.clearDepth);
+  loader.need("glClear", gl.clear);
+  loader.need("glViewport", gl.viewport);
+  loader.need("glFinish", gl.finish);
+  loader.need("glPixelStorei", gl.pixelStorei);
+  loader.need("glReadPixels", gl.readPixels);
+  loader.need("glGenFramebuffers", gl.genFramebuffers);
+  loader.need("glDeleteFramebuffers", gl.deleteFramebuffers);
+  loader.need("glBindFramebuffer", gl.bindFramebuffer);
+  loader.need("glCheckFramebufferStatus", gl.checkFramebufferStatus);
+  loader.need("glFramebufferRenderbuffer", gl.framebufferRenderbuffer);
+  loader.need("glBlitFramebuffer", gl.blitFramebuffer);
+  loader.need("glGenRenderbuffers", gl.genRenderbuffers);
+  loader.need("glDeleteRenderbuffers", gl.deleteRenderbuffers);
+  loader.need("glBindRenderbuffer", gl.bindRenderbuffer);
+  loader.need("glRenderbufferStorageMultisample", gl.renderbufferStorageMultisample);
+  if (loader.missing())
+    return TeError{std::string("OpenGL lacks ") + loader.missing() + "; version 3.0 is needed"};
   return gl;
 }

@@ -1,11 +1,11 @@
 #include "nodes/seamless/TeSeamlessGl.h"
 
 #include "generators/base/TeLog.h"
+#include "nodes/context/TeGlLoader.h"
 
 #include <Inventor/C/glue/gl.h>
 
 #include <string>
-#include <type_traits>
 
 bool TeSeamlessGl::load(std::uint32_t context) {
   const cc_glglue* glue = cc_glglue_instance(int(context));
@@ -21,84 +21,76 @@ bool TeSeamlessGl::load(std::uint32_t context) {
 }
 
 bool TeSeamlessGl::load(const std::function<void*(const char*)>& procAddress) {
-  const char* missing = nullptr;
-  const auto find = [&](const char* name, auto*& function) {
-    function = reinterpret_cast<std::remove_reference_t<decltype(function)>>(procAddress(name));
-    return function != nullptr;
-  };
-  const auto need = [&](const char* name, auto*& function) {
-    if (!find(name, function) && !missing)
-      missing = name;
-  };
-  need("glEnable", enable);
-  need("glDisable", disable);
-  need("glIsEnabled", isEnabled);
-  need("glGetError", getError);
-  need("glGetIntegerv", getIntegerv);
-  need("glGetFloatv", getFloatv);
-  need("glGetLightfv", getLightfv);
-  need("glGetMaterialfv", getMaterialfv);
-  need("glPolygonMode", polygonMode);
-  need("glPushClientAttrib", pushClientAttrib);
-  need("glPopClientAttrib", popClientAttrib);
-  need("glPixelStorei", pixelStorei);
-  need("glGenTextures", genTextures);
-  need("glDeleteTextures", deleteTextures);
-  need("glBindTexture", bindTexture);
-  need("glTexParameteri", texParameteri);
-  need("glTexImage2D", texImage2D);
-  need("glTexSubImage2D", texSubImage2D);
-  need("glActiveTexture", activeTexture);
-  need("glGenerateMipmap", generateMipmap);
-  need("glBindSampler", bindSampler);
-  need("glGenSamplers", genSamplers);
-  need("glDeleteSamplers", deleteSamplers);
-  need("glSamplerParameteri", samplerParameteri);
-  need("glGenBuffers", genBuffers);
-  need("glDeleteBuffers", deleteBuffers);
-  need("glBindBuffer", bindBuffer);
-  need("glBindBufferBase", bindBufferBase);
-  need("glBufferData", bufferData);
-  need("glGetBufferSubData", getBufferSubData);
-  need("glGenVertexArrays", genVertexArrays);
-  need("glDeleteVertexArrays", deleteVertexArrays);
-  need("glBindVertexArray", bindVertexArray);
-  need("glEnableVertexAttribArray", enableVertexAttribArray);
-  need("glVertexAttribIPointer", vertexAttribIPointer);
-  need("glVertexAttribDivisor", vertexAttribDivisor);
-  need("glVertexAttribI4i", vertexAttribI4i);
-  need("glVertexAttrib4fv", vertexAttrib4fv);
-  need("glGetVertexAttribfv", getVertexAttribfv);
-  need("glDrawElementsBaseVertex", drawElementsBaseVertex);
-  need("glDrawElementsInstancedBaseVertex", drawElementsInstancedBaseVertex);
-  need("glCreateShader", createShader);
-  need("glDeleteShader", deleteShader);
-  need("glShaderSource", shaderSource);
-  need("glCompileShader", compileShader);
-  need("glGetShaderiv", getShaderiv);
-  need("glGetShaderInfoLog", getShaderInfoLog);
-  need("glCreateProgram", createProgram);
-  need("glDeleteProgram", deleteProgram);
-  need("glAttachShader", attachShader);
-  need("glLinkProgram", linkProgram);
-  need("glGetProgramiv", getProgramiv);
-  need("glGetProgramInfoLog", getProgramInfoLog);
-  need("glUseProgram", useProgram);
-  need("glGetUniformLocation", getUniformLocation);
-  need("glUniform1i", uniform1i);
-  need("glUniform2i", uniform2i);
-  need("glUniform4i", uniform4i);
-  need("glUniform4iv", uniform4iv);
-  need("glUniform1f", uniform1f);
-  need("glUniform2f", uniform2f);
-  need("glUniform4fv", uniform4fv);
-  need("glUniformMatrix3fv", uniformMatrix3fv);
-  need("glUniformMatrix4fv", uniformMatrix4fv);
-  need("glTransformFeedbackVaryings", transformFeedbackVaryings);
-  need("glBeginTransformFeedback", beginTransformFeedback);
-  need("glEndTransformFeedback", endTransformFeedback);
-  find("glDrawElementsInstancedBaseVertexBaseInstance", drawElementsInstancedBaseVertexBaseInstance);
-  if (missing)
-    TeLog::error(std::string("seamless patches are not drawn: OpenGL lacks ") + missing);
-  return !missing;
+  TeGlLoader gl(procAddress);
+  gl.need("glEnable", enable);
+  gl.need("glDisable", disable);
+  gl.need("glIsEnabled", isEnabled);
+  gl.need("glGetError", getError);
+  gl.need("glGetIntegerv", getIntegerv);
+  gl.need("glGetFloatv", getFloatv);
+  gl.need("glGetLightfv", getLightfv);
+  gl.need("glGetMaterialfv", getMaterialfv);
+  gl.need("glPolygonMode", polygonMode);
+  gl.need("glPushClientAttrib", pushClientAttrib);
+  gl.need("glPopClientAttrib", popClientAttrib);
+  gl.need("glPixelStorei", pixelStorei);
+  gl.need("glGenTextures", genTextures);
+  gl.need("glDeleteTextures", deleteTextures);
+  gl.need("glBindTexture", bindTexture);
+  gl.need("glTexParameteri", texParameteri);
+  gl.need("glTexImage2D", texImage2D);
+  gl.need("glTexSubImage2D", texSubImage2D);
+  gl.need("glActiveTexture", activeTexture);
+  gl.need("glGenerateMipmap", generateMipmap);
+  gl.need("glBindSampler", bindSampler);
+  gl.need("glGenSamplers", genSamplers);
+  gl.need("glDeleteSamplers", deleteSamplers);
+  gl.need("glSamplerParameteri", samplerParameteri);
+  gl.need("glGenBuffers", genBuffers);
+  gl.need("glDeleteBuffers", deleteBuffers);
+  gl.need("glBindBuffer", bindBuffer);
+  gl.need("glBindBufferBase", bindBufferBase);
+  gl.need("glBufferData", bufferData);
+  gl.need("glGetBufferSubData", getBufferSubData);
+  gl.need("glGenVertexArrays", genVertexArrays);
+  gl.need("glDeleteVertexArrays", deleteVertexArrays);
+  gl.need("glBindVertexArray", bindVertexArray);
+  gl.need("glEnableVertexAttribArray", enableVertexAttribArray);
+  gl.need("glVertexAttribIPointer", vertexAttribIPointer);
+  gl.need("glVertexAttribDivisor", vertexAttribDivisor);
+  gl.need("glVertexAttribI4i", vertexAttribI4i);
+  gl.need("glVertexAttrib4fv", vertexAttrib4fv);
+  gl.need("glGetVertexAttribfv", getVertexAttribfv);
+  gl.need("glDrawElementsBaseVertex", drawElementsBaseVertex);
+  gl.need("glDrawElementsInstancedBaseVertex", drawElementsInstancedBaseVertex);
+  gl.need("glCreateShader", createShader);
+  gl.need("glDeleteShader", deleteShader);
+  gl.need("glShaderSource", shaderSource);
+  gl.need("glCompileShader", compileShader);
+  gl.need("glGetShaderiv", getShaderiv);
+  gl.need("glGetShaderInfoLog", getShaderInfoLog);
+  gl.need("glCreateProgram", createProgram);
+  gl.need("glDeleteProgram", deleteProgram);
+  gl.need("glAttachShader", attachShader);
+  gl.need("glLinkProgram", linkProgram);
+  gl.need("glGetProgramiv", getProgramiv);
+  gl.need("glGetProgramInfoLog", getProgramInfoLog);
+  gl.need("glUseProgram", useProgram);
+  gl.need("glGetUniformLocation", getUniformLocation);
+  gl.need("glUniform1i", uniform1i);
+  gl.need("glUniform2i", uniform2i);
+  gl.need("glUniform4i", uniform4i);
+  gl.need("glUniform4iv", uniform4iv);
+  gl.need("glUniform1f", uniform1f);
+  gl.need("glUniform2f", uniform2f);
+  gl.need("glUniform4fv", uniform4fv);
+  gl.need("glUniformMatrix3fv", uniformMatrix3fv);
+  gl.need("glUniformMatrix4fv", uniformMatrix4fv);
+  gl.need("glTransformFeedbackVaryings", transformFeedbackVaryings);
+  gl.need("glBeginTransformFeedback", beginTransformFeedback);
+  gl.need("glEndTransformFeedback", endTransformFeedback);
+  gl.find("glDrawElementsInstancedBaseVertexBaseInstance", drawElementsInstancedBaseVertexBaseInstance);
+  if (gl.missing())
+    TeLog::error(std::string("seamless patches are not drawn: OpenGL lacks ") + gl.missing());
+  return !gl.missing();
 }
