@@ -2,52 +2,32 @@
 
 #include "generators/base/TeText.h"
 #include "generators/elevation/TeElevationOptions.h"
-#include "nodes/TeSceneFile.h"
+#include "nodes/TeCoinVectors.h"
 #include "nodes/lod/drawing/TeLodRays.h"
 #include "nodes/seamless/TeSeamlessHeightFile.h"
 
-#include <Inventor/SoInput.h>
 #include <Inventor/SoPrimitiveVertex.h>
 #include <Inventor/actions/SoGLRenderAction.h>
-#include <Inventor/actions/SoGetPrimitiveCountAction.h>
-#include <Inventor/actions/SoRayPickAction.h>
-#include <Inventor/bundles/SoMaterialBundle.h>
-#include <Inventor/elements/SoCacheElement.h>
-#include <Inventor/elements/SoGLCacheContextElement.h>
 #include <Inventor/elements/SoGLLazyElement.h>
 #include <Inventor/elements/SoMultiTextureEnabledElement.h>
 #include <Inventor/elements/SoOverrideElement.h>
-#include <Inventor/errors/SoDebugError.h>
 #include <Inventor/misc/SoState.h>
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <limits>
 
 SO_NODE_SOURCE(SoTeLodTerrain)
 
-namespace {
-
-glm::dvec3 toGlm(const SbVec3d& vector) { return {vector[0], vector[1], vector[2]}; }
-SbVec3f toCoin(const glm::dvec3& vector) { return {float(vector.x), float(vector.y), float(vector.z)}; }
-
-} // namespace
-
 void SoTeLodTerrain::initClass() {
+  SoTeLodShape::initClass();
   if (classTypeId == SoType::badType())
-    PRIVATE_COMMON_INIT_CODE(SoTeLodTerrain, "TeLodTerrain", &SoTeLodTerrain::createInstance, SoShape);
+    PRIVATE_COMMON_INIT_CODE(SoTeLodTerrain, "TeLodTerrain", &SoTeLodTerrain::createInstance, SoTeLodShape);
 }
 
-SoTeLodTerrain::SoTeLodTerrain() {
+SoTeLodTerrain::SoTeLodTerrain() : SoTeLodShape(1) {
   SO_NODE_CONSTRUCTOR(SoTeLodTerrain);
   SO_NODE_ADD_FIELD(method, ("seamless"));
-  SO_NODE_ADD_FIELD(heightFile, (""));
-  SO_NODE_ADD_FIELD(verticalUnit, ("auto"));
-  SO_NODE_ADD_FIELD(size, (256, 256, 10));
-  SO_NODE_ADD_FIELD(pixelError, (1));
   SO_NODE_ADD_FIELD(dial, (0));
-  SO_NODE_ADD_FIELD(geomorph, (FALSE));
   SO_NODE_ADD_FIELD(maxTriangles, (1 << 22));
   SO_NODE_ADD_FIELD(slice, (0));
   SO_NODE_DEFINE_ENUM_VALUE(Submission, IMMEDIATE);
@@ -59,30 +39,13 @@ SoTeLodTerrain::SoTeLodTerrain() {
   SO_NODE_DEFINE_ENUM_VALUE(Submission, DISPLAY_LISTS);
   SO_NODE_SET_SF_ENUM_TYPE(submission, Submission);
   SO_NODE_ADD_FIELD(submission, (VBO_STATIC));
-  SO_NODE_ADD_FIELD(wireframe, (FALSE));
   SO_NODE_DEFINE_ENUM_VALUE(Coloring, PLAIN);
   SO_NODE_DEFINE_ENUM_VALUE(Coloring, HEIGHT);
   SO_NODE_SET_SF_ENUM_TYPE(coloring, Coloring);
   SO_NODE_ADD_FIELD(coloring, (PLAIN));
-  SO_NODE_ADD_FIELD(lodCamera, (nullptr));
-  SO_NODE_ADD_FIELD(center, (0, 0, 0));
-  SO_NODE_ADD_FIELD(origin, (0, 0, 0));
-  m_redraw.setFunction([](void* node, SoSensor*) { static_cast<SoTeLodTerrain*>(node)->touch(); });
-  m_redraw.setData(this);
 }
 
 SoTeLodTerrain::~SoTeLodTerrain() = default;
-
-void SoTeLodTerrain::forgetHeights() {
-  m_isLoaded = false;
-  m_isCurrent = false;
-}
-
-void SoTeLodTerrain::setHeights(std::shared_ptr<const TeHeightMap> map) {
-  m_given = std::move(map);
-  forgetHeights();
-  touch();
-}
 
 void SoTeLodTerrain::setField(TeLodFieldPtr field) {
   m_givenField = std::move(field);
@@ -90,86 +53,26 @@ void SoTeLodTerrain::setField(TeLodFieldPtr field) {
   touch();
 }
 
-const std::string& SoTeLodTerrain::getError() {
-  update();
-  return m_error;
-}
-
-void SoTeLodTerrain::notify(SoNotList* list) {
-  const SoField* field = list->getLastField();
-  if (field && field->getContainer() == this) {
-    m_isCurrent = false;
-    m_isLoaded = m_isLoaded && field != &heightFile && field != &verticalUnit;
-  }
-  inherited::notify(list);
-}
-
-SbBool SoTeLodTerrain::readInstance(SoInput* input, unsigned short flags) {
-  if (const char* file = input->getCurFileName())
-    m_folder = std::filesystem::path(file).parent_path().string();
-  forgetHeights();
-  return inherited::readInstance(input, flags);
-}
-
 void SoTeLodTerrain::copyContents(const SoFieldContainer* from, SbBool copyConnections) {
   inherited::copyContents(from, copyConnections);
-  const auto* other = static_cast<const SoTeLodTerrain*>(from);
-  m_folder = other->m_folder;
-  m_given = other->m_given;
-  m_givenField = other->m_givenField;
-  forgetHeights();
+  m_givenField = static_cast<const SoTeLodTerrain*>(from)->m_givenField;
 }
 
-bool SoTeLodTerrain::update() {
-  if (m_isCurrent)
-    return m_error.empty();
-  m_isCurrent = true;
-  const std::string before = std::move(m_error);
-  m_error.clear();
-  if (TeStatus status = build(); !status) {
-    m_error = status.error().message;
-    if (m_error != before)
-      SoDebugError::postWarning("TeLodTerrain", "%s", m_error.c_str());
-  }
-  return m_error.empty();
-}
-
-TeStatus SoTeLodTerrain::build() {
-  if (!m_isLoaded) {
-    m_isLoaded = true;
-    m_viewers.clear();
-    m_field.reset();
-    m_loaded = load();
-  }
-  if (!m_loaded)
-    return m_loaded;
-  TeLodScene scene;
-  scene.method = method.getValue().getString();
-  for (const TeStatus& status : {place(scene), readAccuracy(scene), readLook(scene)})
-    if (!status)
-      return status;
-  SoNode* camera = lodCamera.getValue();
-  if (camera && !camera->isOfType(SoCamera::getClassTypeId()))
-    return TeError{std::string("lodCamera: a ") + camera->getTypeId().getName().getString() +
-                   " is no camera"};
-  scene.lodCamera = static_cast<SoCamera*>(camera);
-  const TeStatus status = m_viewers.setScene(std::move(scene));
-  return status ? TeStatus() : TeStatus(TeError{"method: " + status.error().message});
-}
-
-TeStatus SoTeLodTerrain::load() {
-  m_map = m_given;
+TeStatus SoTeLodTerrain::load(bool&) {
+  m_viewers.clear();
+  m_field.reset();
+  m_map = givenHeights();
   m_extent = {};
   if (m_givenField)
     return {};
   if (!m_map) {
-    if (heightFile.getValue().getLength() == 0)
-      return TeError{"heightFile: no file is named"};
+    const TeResult<std::string> path = heightPath();
+    if (!path)
+      return path.error();
     const TeResult<double> unit = teVerticalUnit(verticalUnit.getValue().getString());
     if (!unit)
       return TeError{"verticalUnit: " + unit.error().message};
-    TeResult<TeSeamlessHeightFile> file =
-        TeSeamlessHeightFile::read(teBesideScene(heightFile.getValue().getString(), m_folder), *unit);
+    TeResult<TeSeamlessHeightFile> file = TeSeamlessHeightFile::read(*path, *unit);
     if (!file)
       return file.error();
     m_map = std::make_shared<const TeHeightMap>(std::move(file->map));
@@ -181,18 +84,30 @@ TeStatus SoTeLodTerrain::load() {
   return {};
 }
 
+TeStatus SoTeLodTerrain::build(bool&) {
+  TeLodScene scene;
+  scene.method = method.getValue().getString();
+  for (const TeStatus& status : {place(scene), readAccuracy(scene), readLook(scene)})
+    if (!status)
+      return status;
+  const TeResult<TeNodePtr<SoCamera>> camera = readLodCamera();
+  if (!camera)
+    return camera.error();
+  scene.lodCamera = *camera;
+  const TeStatus status = m_viewers.setScene(std::move(scene));
+  return status ? TeStatus() : TeStatus(TeError{"method: " + status.error().message});
+}
+
 TeStatus SoTeLodTerrain::place(TeLodScene& scene) {
   if (m_givenField) {
-    const glm::dvec3 from = toGlm(origin.getValue());
+    const glm::dvec3 from = teToGlm(origin.getValue());
     if (!std::isfinite(from.x + from.y + from.z))
       return TeError{"origin is not finite"};
     scene.field = m_givenField;
     scene.offset = -from;
     return {};
   }
-  const SbVec3f& extents = size.getValue();
-  const TeResult<TeLodField::Placement> placement = m_extent.place(
-      {extents[0], extents[1], extents[2]}, toGlm(center.getValue()) - toGlm(origin.getValue()));
+  const TeResult<TeLodField::Placement> placement = m_extent.place(teToGlm(size.getValue()), middle());
   if (!placement)
     return placement.error();
   // Methods are made for a field at 0: moving it makes nothing anew.
@@ -248,52 +163,21 @@ bool SoTeLodTerrain::setColours(SoState* state, const std::vector<std::uint32_t>
   return true;
 }
 
-void SoTeLodTerrain::GLRender(SoGLRenderAction* action) {
-  if (!update())
-    return;
-  SoState* state = action->getState();
-  // No display list may hold what this view sees.
-  SoCacheElement::invalidate(state);
-  SoGLCacheContextElement::shouldAutoCache(state, SoGLCacheContextElement::DONT_AUTO_CACHE);
-  if (!shouldGLRender(action))
-    return;
+TeStatus SoTeLodTerrain::draw(SoGLRenderAction* action) {
   static const std::vector<std::uint32_t> white{0xFFFFFFFF};
+  SoState* state = action->getState();
   state->push();
   SoMultiTextureEnabledElement::disableAll(state);
   const bool hasColours = m_viewers.scene().look.colours && setColours(state, white);
-  SoMaterialBundle materials(action);
-  materials.sendFirst();
-  // Its triangles are counter-clockwise, whatever hints a neighbour needs.
-  SoGLLazyElement::sendVertexOrdering(state, SoLazyElement::CCW);
+  sendMaterial(action);
   const TeStatus status = m_viewers.draw(action, hasColours);
   if (hasColours)
     SoGLLazyElement::getInstance(state)->reset(state, SoLazyElement::DIFFUSE_MASK);
   state->pop();
-  const std::string message = status ? "" : status.error().message;
-  if (message != m_drawingError && !message.empty())
-    SoDebugError::postWarning("TeLodTerrain", "%s", message.c_str());
-  m_drawingError = message;
-  if (!m_viewers.statistics().isComplete)
-    m_redraw.schedule();
+  return status;
 }
 
-void SoTeLodTerrain::computeBBox(SoAction*, SbBox3f& box, SbVec3f& center) {
-  if (!update())
-    return;
-  box = m_viewers.box();
-  center = box.getCenter();
-}
-
-void SoTeLodTerrain::getPrimitiveCount(SoGetPrimitiveCountAction* action) {
-  if (!update() || !shouldPrimitiveCount(action))
-    return;
-  const std::int64_t most = std::numeric_limits<int>::max() - std::int64_t(action->getTriangleCount());
-  action->addNumTriangles(int(std::min(m_viewers.triangles(action), most)));
-}
-
-void SoTeLodTerrain::generatePrimitives(SoAction* action) {
-  if (!update())
-    return;
+void SoTeLodTerrain::emitTriangles(SoAction* action) {
   const TeLodScene& scene = m_viewers.scene();
   const TeLodField& field = *scene.field;
   const TeLodArrayMaker maker(field, glm::dvec3(0), scene.look.colours ? &*scene.look.colours : nullptr);
@@ -313,7 +197,7 @@ void SoTeLodTerrain::generatePrimitives(SoAction* action) {
     const auto give = [&](std::uint32_t index) {
       const TeLodVertex& vertex = part.vertices[index];
       const glm::vec3 normal = maker.normal(vertex);
-      primitive.setPoint(toCoin(field.position(vertex) + scene.offset));
+      primitive.setPoint(teToCoin(field.position(vertex) + scene.offset));
       primitive.setNormal(SbVec3f(normal.x, normal.y, normal.z));
       primitive.setTextureCoords(SbVec4f(float(vertex.column) / float(field.cells()),
                                          float(vertex.row) / float(field.cells()), 0, 1));
@@ -330,12 +214,6 @@ void SoTeLodTerrain::generatePrimitives(SoAction* action) {
   });
 }
 
-void SoTeLodTerrain::rayPick(SoRayPickAction* action) {
-  if (!update() || !shouldRayPick(action))
-    return;
-  action->setObjectSpace();
-  if (!action->intersect(m_viewers.box(), TRUE))
-    return;
-  TeLodRays rays(*this, *action, m_viewers, toGlm(origin.getValue()));
-  rays.pick();
+void SoTeLodTerrain::pickTriangles(SoRayPickAction* action) {
+  TeLodRays(*this, *action, m_viewers, teToGlm(origin.getValue())).pick();
 }

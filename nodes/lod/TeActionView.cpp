@@ -1,6 +1,7 @@
 #include "nodes/lod/TeActionView.h"
 
 #include "generators/base/TeHash.h"
+#include "nodes/TeCoinVectors.h"
 #include "nodes/lod/TeCameraView.h"
 
 #include <Inventor/SbLine.h>
@@ -74,10 +75,8 @@ glm::dmat4 TeActionView::eyeFromModel(SoState* state) {
 glm::dmat4 TeActionView::projection(SoState* state) { return toGlm(SoProjectionMatrixElement::get(state)); }
 
 void TeActionView::seeOnly(const SbLine& line, double size, TeLodView& view) {
-  const SbVec3f& start = line.getPosition();
-  const SbVec3f& ahead = line.getDirection();
-  const glm::dvec3 from(start[0], start[1], start[2]);
-  const glm::dvec3 along = glm::normalize(glm::dvec3(ahead[0], ahead[1], ahead[2]));
+  const glm::dvec3 from = teToGlm(line.getPosition());
+  const glm::dvec3 along = glm::normalize(teToGlm(line.getDirection()));
   const glm::dvec3 other = std::abs(along.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   const glm::dvec3 across = glm::normalize(glm::cross(along, other));
   const glm::dvec3 up = glm::cross(along, across);

@@ -1,5 +1,7 @@
 #include "nodes/lod/TeCameraView.h"
 
+#include "nodes/TeCoinVectors.h"
+
 #include <Inventor/SbDPMatrix.h>
 #include <Inventor/SbDPViewVolume.h>
 #include <Inventor/SbMatrix.h>
@@ -81,7 +83,7 @@ std::optional<TeLodView> TeCameraView::create(const SbViewVolume& volume, const 
   const SbVec3d& point = volume.getDPViewVolume().getProjectionPoint();
   SbVec3d eye;
   place.inverse().multVecMatrix(point, eye);
-  view.eye = {eye[0], eye[1], eye[2]};
+  view.eye = teToGlm(eye);
 
   SbDPMatrix clip = place;
   clip.multRight(viewing);

@@ -1,6 +1,7 @@
 #include "nodes/seamless/TeSeamlessSceneReader.h"
 
 #include "generators/base/TeText.h"
+#include "nodes/TeCoinVectors.h"
 #include "nodes/TeSceneFile.h"
 #include "nodes/seamless/SoTeSeamlessPatches.h"
 
@@ -13,19 +14,16 @@ namespace {
 constexpr int kMostPatches = 1 << 24; ///< more would be an accident: they take gigabytes
 
 glm::vec3 toGlm(const SbColor& colour) { return {colour[0], colour[1], colour[2]}; }
-glm::dvec3 toGlm(const SbVec3d& vector) { return {vector[0], vector[1], vector[2]}; }
 
 std::string typeName(const SoNode& node) { return node.getTypeId().getName().getString(); }
 
 } // namespace
 
-TeResult<TeSeamlessScene> TeSeamlessSceneReader::read(const TeSeamlessContent& content) {
+TeResult<TeSeamlessScene> TeSeamlessSceneReader::read(const TeSeamlessContent& content,
+                                                      const glm::dvec3& middle) {
   TeSeamlessScene scene;
   scene.content = content;
-  const SbVec3f& extents = m_node.size.getValue();
-  const TeResult<TeSeamlessPlacement> placement =
-      content.place({extents[0], extents[1], extents[2]},
-                    toGlm(m_node.center.getValue()) - toGlm(m_node.origin.getValue()));
+  const TeResult<TeSeamlessPlacement> placement = content.place(teToGlm(m_node.size.getValue()), middle);
   if (!placement)
     return placement.error();
   scene.placement = *placement;
@@ -40,10 +38,6 @@ TeResult<TeSeamlessScene> TeSeamlessSceneReader::read(const TeSeamlessContent& c
   scene.wholePatches = m_node.wholePatches.getValue() && !partsDiffer;
   if (TeStatus status = readColours(scene); !status)
     return status.error();
-  SoNode* camera = m_node.lodCamera.getValue();
-  if (camera && !camera->isOfType(SoCamera::getClassTypeId()))
-    return TeError{"lodCamera: a " + typeName(*camera) + " is no camera"};
-  scene.lodCamera = static_cast<SoCamera*>(camera);
   return scene;
 }
 

@@ -16,9 +16,10 @@ public:
                         TeSeamlessPictures& pictures)
       : m_node(node), m_folder(folder), m_pictures(pictures) {}
 
-  /// Reads what files the colouring needs. Error: a file that cannot be read, a number out of range, a node
-  /// of the wrong kind; the message names the field.
-  TeResult<TeSeamlessScene> read(const TeSeamlessContent& content);
+  /// All but the lodCamera. Reads what files the colouring needs. `middle`: of the terrain, in the node's
+  /// coordinates. Error: a file that cannot be read, a number out of range, a node of the wrong kind; the
+  /// message names the field.
+  TeResult<TeSeamlessScene> read(const TeSeamlessContent& content, const glm::dvec3& middle);
   /// Whether another node has already told of the error.
   bool isReported() const { return m_isReported; }
 

@@ -1,5 +1,6 @@
 #include "nodes/lod/drawing/TeLodRays.h"
 
+#include "nodes/TeCoinVectors.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
 
 #include <Inventor/SoPickedPoint.h>
@@ -15,9 +16,6 @@ namespace {
 
 constexpr double kMargin = 1e-6; ///< of what is added in single precision
 
-glm::dvec3 toGlm(const SbVec3f& vector) { return {vector[0], vector[1], vector[2]}; }
-SbVec3f toCoin(const glm::dvec3& vector) { return {float(vector.x), float(vector.y), float(vector.z)}; }
-
 double inside(const glm::dvec4& plane, const glm::dvec3& point) {
   return glm::dot(glm::dvec3(plane), point) + plane.w;
 }
@@ -31,7 +29,7 @@ double side(const TeLodVertex& a, const TeLodVertex& b, const glm::dvec3& p) {
 
 TeLodRays::TeLodRays(SoNode& node, SoRayPickAction& action, TeLodViewers& viewers, const glm::dvec3& origin)
     : m_node(node), m_action(action), m_viewers(viewers), m_origin(origin), m_line(action.getLine()),
-      m_start(toGlm(m_line.getPosition())), m_ahead(glm::normalize(toGlm(m_line.getDirection()))) {
+      m_start(teToGlm(m_line.getPosition())), m_ahead(glm::normalize(teToGlm(m_line.getDirection()))) {
   const glm::dvec3 other = std::abs(m_ahead.x) < 0.6 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
   m_across = glm::normalize(glm::cross(m_ahead, other));
   m_up = glm::cross(m_ahead, m_across);
@@ -74,7 +72,7 @@ bool TeLodRays::staysInView(const TeLodView& view) const {
       continue;
     // It leaves through this plane: is what is beyond cut off?
     const double leaves = first / -slope + 2 * m_margin / -slope;
-    if (m_action.isBetweenPlanes(toCoin(m_start + leaves * m_ahead)))
+    if (m_action.isBetweenPlanes(teToCoin(m_start + leaves * m_ahead)))
       return false;
   }
   return true;
@@ -86,7 +84,7 @@ void TeLodRays::place(const TeLodMesh& part) {
   m_sides.clear();
   for (const TeLodVertex& vertex : part.vertices) {
     const glm::dvec3 position = scene.field->position(vertex) + scene.offset;
-    m_points.push_back(toCoin(position));
+    m_points.push_back(teToCoin(position));
     m_sides.push_back({glm::dot(m_across, position - m_start), glm::dot(m_up, position - m_start)});
   }
 }
@@ -117,7 +115,7 @@ void TeLodRays::findHits(const TeLodMesh& part, std::vector<Hit>& hits) {
 
 glm::dvec3 TeLodRays::samples(const SbVec3f& point) const {
   const TeLodScene& scene = m_viewers.scene();
-  return (toGlm(point) - scene.offset - scene.field->placement().corner) / scene.field->spacing();
+  return (teToGlm(point) - scene.offset - scene.field->placement().corner) / scene.field->spacing();
 }
 
 void TeLodRays::cover(const TeLodMesh& part, std::vector<Hit>& hits) const {
@@ -142,8 +140,8 @@ void TeLodRays::add(const Hit& hit) {
   const glm::dvec3 cell = glm::floor(samples(hit.point));
   TeRayHit detail;
   detail.distance = double((hit.point - m_line.getPosition()).length());
-  detail.position = m_origin + toGlm(hit.point);
-  detail.normal = toGlm(normal);
+  detail.position = m_origin + teToGlm(hit.point);
+  detail.normal = teToGlm(normal);
   detail.key = {std::int64_t(cell.x), std::int64_t(cell.y), 0};
   picked->setDetail(new SoTeTerrainDetail(detail), &m_node);
 }

@@ -1,5 +1,6 @@
 #include "nodes/lod/drawing/TeLodViewers.h"
 
+#include "nodes/TeCoinVectors.h"
 #include "nodes/lod/TeActionView.h"
 #include "nodes/lod/TeLodMethods.h"
 #include "nodes/lod/brute/TeBruteForce.h"
@@ -27,8 +28,6 @@ TeLodView moved(TeLodView view, const glm::dvec3& offset) {
   }
   return view;
 }
-
-SbVec3f toCoin(const glm::dvec3& vector) { return {float(vector.x), float(vector.y), float(vector.z)}; }
 
 } // namespace
 
@@ -108,8 +107,8 @@ TeLodViewer& TeLodViewers::viewer(const Key& key) {
 
 SbBox3f TeLodViewers::box() const {
   const TeLodField& field = *m_scene.field;
-  return {toCoin(field.position(0, 0, double(field.lowest())) + m_scene.offset),
-          toCoin(field.position(field.cells(), field.cells(), double(field.highest())) + m_scene.offset)};
+  return {teToCoin(field.position(0, 0, double(field.lowest())) + m_scene.offset),
+          teToCoin(field.position(field.cells(), field.cells(), double(field.highest())) + m_scene.offset)};
 }
 
 std::optional<TeLodView> TeLodViewers::view(SoState* state) const {
