@@ -46,7 +46,7 @@ template <class Field, class Value> void set(Field& field, const Value& value) {
 } // namespace
 
 TeSeamlessNodes::TeSeamlessNodes(SoNode* scene, const TeViewOptions& options)
-    : m_nodes(allOf<Node>(scene)), m_others(allOf<SoTeLodTerrain>(scene)) {
+    : m_nodes(allOf<Node>(scene)), m_shapes(allOf<SoTeLodShape>(scene)) {
   if (options.precision)
     setPrecision(*options.precision);
   if (options.pixelError)
@@ -110,9 +110,7 @@ void TeSeamlessNodes::setInstancing(bool on) {
 }
 
 void TeSeamlessNodes::setGeomorph(bool on) {
-  for (const TeNodePtr<Node>& node : m_nodes)
-    set(node->geomorph, SbBool(on));
-  for (const TeNodePtr<SoTeLodTerrain>& node : m_others)
+  for (const TeNodePtr<SoTeLodShape>& node : m_shapes)
     set(node->geomorph, SbBool(on));
 }
 
@@ -124,16 +122,12 @@ void TeSeamlessNodes::setPrecision(double precision) {
 }
 
 void TeSeamlessNodes::setPixelError(double pixels) {
-  for (const TeNodePtr<Node>& node : m_nodes)
-    set(node->pixelError, float(pixels));
-  for (const TeNodePtr<SoTeLodTerrain>& node : m_others)
+  for (const TeNodePtr<SoTeLodShape>& node : m_shapes)
     set(node->pixelError, float(pixels));
 }
 
 void TeSeamlessNodes::setWireframe(bool on) {
-  for (const TeNodePtr<Node>& node : m_nodes)
-    set(node->wireframe, SbBool(on));
-  for (const TeNodePtr<SoTeLodTerrain>& node : m_others)
+  for (const TeNodePtr<SoTeLodShape>& node : m_shapes)
     set(node->wireframe, SbBool(on));
 }
 
@@ -149,8 +143,6 @@ void TeSeamlessNodes::nextColouring() {
 }
 
 void TeSeamlessNodes::setLodCamera(SoCamera* camera) {
-  for (const TeNodePtr<Node>& node : m_nodes)
-    set(node->lodCamera, static_cast<SoNode*>(camera));
-  for (const TeNodePtr<SoTeLodTerrain>& node : m_others)
+  for (const TeNodePtr<SoTeLodShape>& node : m_shapes)
     set(node->lodCamera, static_cast<SoNode*>(camera));
 }

@@ -2,7 +2,7 @@
 
 #include "apps/terrane-view/TeViewOptions.h"
 #include "nodes/TeNodePtr.h"
-#include "nodes/lod/SoTeLodTerrain.h"
+#include "nodes/lod/SoTeLodShape.h"
 #include "nodes/seamless/SoTeSeamlessPatches.h"
 
 #include <string>
@@ -11,8 +11,8 @@
 class SoCamera;
 class SoNode;
 
-/// All SoTeSeamlessPatches of a scene, which the user changes together; and what SoTeLodTerrain has of the
-/// same: wireframe, geomorphing, pixel error, the camera that decides about detail.
+/// All SoTeSeamlessPatches of a scene, which the user changes together; wireframe, geomorphing, pixel error
+/// and the camera that decides about detail with all other SoTeLodShape.
 class TeSeamlessNodes {
 public:
   /// Finds them, and sets what the options say about accuracy and drawing.
@@ -43,5 +43,5 @@ public:
 
 private:
   std::vector<TeNodePtr<SoTeSeamlessPatches>> m_nodes;
-  std::vector<TeNodePtr<SoTeLodTerrain>> m_others;
+  std::vector<TeNodePtr<SoTeLodShape>> m_shapes; ///< those and others
 };

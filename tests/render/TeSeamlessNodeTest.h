@@ -1,11 +1,11 @@
 #pragma once
 
+#include "nodes/SceneChanges.h"
 #include "nodes/seamless/hillsNode.h"
 #include "render/TeRenderTest.h"
 
 #include <Inventor/SoDB.h>
 #include <Inventor/nodes/SoDirectionalLight.h>
-#include <Inventor/sensors/SoNodeSensor.h>
 #include <Inventor/sensors/SoSensorManager.h>
 
 #include <memory>
@@ -33,15 +33,12 @@ protected:
   }
   /// Draws until nothing asks for another frame; how many frames that took.
   int settle(SoNode* scene, TePicture& picture) {
-    int changes = 0;
-    SoNodeSensor sensor([](void* data, SoSensor*) { ++*static_cast<int*>(data); }, &changes);
-    sensor.setPriority(0);
-    sensor.attach(scene);
+    SceneChanges changes(scene);
     for (int frames = 1; frames < 1000; frames++) {
-      changes = 0;
+      changes.count = 0;
       picture = show(scene);
       SoDB::getSensorManager()->processDelayQueue(TRUE);
-      if (changes == 0)
+      if (changes.count == 0)
         return frames;
     }
     ADD_FAILURE() << "it never rests";

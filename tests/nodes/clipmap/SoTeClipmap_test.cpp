@@ -1,11 +1,11 @@
 #include "nodes/clipmap/SoTeClipmap.h"
 
 #include "nodes/TeNodePtr.h"
-#include "nodes/TeSceneFile.h"
 #include "nodes/clipmap/testPyramid.h"
 #include "nodes/coinWarnings.h"
+#include "nodes/fileFormat.h"
 #include "nodes/logLines.h"
-#include "nodes/readScene.h"
+#include "nodes/writtenScene.h"
 
 #include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/actions/SoGetPrimitiveCountAction.h>
@@ -32,18 +32,16 @@ TeNodePtr<SoTeClipmap> makeNode(const std::string& name) {
 
 } // namespace
 
+TEST(SoTeClipmap, HeaderTellsFieldsAndDefaults) {
+  EXPECT_EQ(fieldsOf(TeNodePtr<SoTeClipmap>(new SoTeClipmap).get()),
+            fileFormat("nodes/clipmap/SoTeClipmap.h"));
+}
+
 TEST(SoTeClipmap, FieldsSurviveWritingAndReading) {
   const auto root = readScene("TeClipmap { name \"a b/ps\" size 257 kind COLOR format HALF maxLevel 12 "
                               "uploadBudget 5000 cacheBytes 70000 }");
   ASSERT_TRUE(root);
-  const std::string path = testing::TempDir() + "clipmap-written.iv";
-  ASSERT_TRUE(teWriteScene(root.get(), path));
-  std::ifstream file(path);
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  std::filesystem::remove(path);
-  SoInput input;
-  input.setBuffer(text.data(), text.size());
-  const TeNodePtr<SoSeparator> again(SoDB::readAll(&input));
+  const auto again = readAgain(root.get());
   ASSERT_TRUE(again);
   ASSERT_TRUE(again->getChild(0)->isOfType(SoTeClipmap::getClassTypeId()));
   const auto* node = static_cast<const SoTeClipmap*>(again->getChild(0));

@@ -1,23 +1,17 @@
 #include "nodes/terrain/SoTeStaticTerrain.h"
 
-#include "nodes/TeSceneFile.h"
-#include "nodes/coinWarnings.h"
-#include "nodes/readScene.h"
+#include "nodes/SceneChanges.h"
+#include "nodes/badFields.h"
+#include "nodes/fileFormat.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
+#include "nodes/writtenScene.h"
 
-#include <Inventor/SoPickedPoint.h>
-#include <Inventor/actions/SoCallbackAction.h>
-#include <Inventor/actions/SoGetBoundingBoxAction.h>
-#include <Inventor/actions/SoGetPrimitiveCountAction.h>
-#include <Inventor/actions/SoRayPickAction.h>
-#include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoIndexedTriangleStripSet.h>
 #include <Inventor/nodes/SoPickStyle.h>
 #include <Inventor/nodes/SoRotationXYZ.h>
 #include <Inventor/nodes/SoTexture2.h>
 #include <Inventor/nodes/SoTranslation.h>
-#include <Inventor/sensors/SoNodeSensor.h>
 
 #include <glm/geometric.hpp>
 
@@ -26,17 +20,8 @@
 
 #include <filesystem>
 #include <fstream>
-#include <iterator>
 
 namespace {
-
-const SbViewportRegion kViewport(100, 100);
-
-int triangles(SoNode* root) {
-  SoGetPrimitiveCountAction count;
-  count.apply(root);
-  return count.getTriangleCount();
-}
 
 template <class Node> int countNodes(SoNode* root) {
   SoSearchAction search;
@@ -46,32 +31,10 @@ template <class Node> int countNodes(SoNode* root) {
   return search.getPaths().getLength();
 }
 
-SoTeStaticTerrain* terrainOf(SoNode* root) {
-  SoSearchAction search;
-  search.setType(SoTeStaticTerrain::getClassTypeId());
-  search.apply(root);
-  return search.getPath() ? static_cast<SoTeStaticTerrain*>(search.getPath()->getTail()) : nullptr;
-}
-
-std::string written(SoNode* root) {
-  const std::string path = testing::TempDir() + "terrain-written.iv";
-  EXPECT_TRUE(teWriteScene(root, path));
-  std::ifstream file(path);
-  const std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
-  std::filesystem::remove(path);
-  return text;
-}
-
 /// Triangles of a block of N×N patches of n×n cells, the outermost strip of cells left out.
 int blockTriangles(int patches, int cells) {
   const int side = patches * cells - 2;
   return 2 * side * side;
-}
-
-const SoPickedPoint* pickDown(SoRayPickAction& action, SoNode* root, float x, float y) {
-  action.setRay(SbVec3f(x, y, 5000), SbVec3f(0, 0, -1));
-  action.apply(root);
-  return action.getPickedPoint();
 }
 
 } // namespace
@@ -85,14 +48,12 @@ TEST(SoTeStaticTerrain, ShowsNinePatchesByDefault) {
 TEST(SoTeStaticTerrain, EveryActionSeesTheTerrain) {
   const auto root = readScene("TeStaticTerrain { seed 7 samples 33 }");
   ASSERT_TRUE(root);
-  SoTeStaticTerrain* terrain = terrainOf(root.get());
+  SoTeStaticTerrain* terrain = firstOf<SoTeStaticTerrain>(root.get());
   ASSERT_TRUE(terrain);
   // 9 patches, 12 seams, 4 corners.
   EXPECT_EQ(countNodes<SoIndexedTriangleStripSet>(root.get()), 25);
 
-  SoGetBoundingBoxAction bounds(kViewport);
-  bounds.apply(root.get());
-  const SbBox3f box = bounds.getBoundingBox();
+  const SbBox3f box = boxOf(root.get());
   const float side = 3 * 16 * 1.0f;
   EXPECT_FLOAT_EQ(box.getMin()[0], -side / 2 + 1);
   EXPECT_FLOAT_EQ(box.getMax()[1], side / 2 - 1);
@@ -100,15 +61,7 @@ TEST(SoTeStaticTerrain, EveryActionSeesTheTerrain) {
   EXPECT_LE(box.getMax()[2], terrain->getBlock()->maximum());
   EXPECT_GT(box.getMax()[2], box.getMin()[2]);
 
-  int seen = 0;
-  SoCallbackAction callbacks;
-  callbacks.addTriangleCallback(
-      SoShape::getClassTypeId(),
-      [](void* data, SoCallbackAction*, const SoPrimitiveVertex*, const SoPrimitiveVertex*,
-         const SoPrimitiveVertex*) { ++*static_cast<int*>(data); },
-      &seen);
-  callbacks.apply(root.get());
-  EXPECT_EQ(seen, blockTriangles(3, 16));
+  EXPECT_EQ(int(emitted(root.get()).size()), blockTriangles(3, 16));
 }
 
 TEST(SoTeStaticTerrain, BlockOfAnySize) {
@@ -119,6 +72,11 @@ TEST(SoTeStaticTerrain, BlockOfAnySize) {
   }
 }
 
+TEST(SoTeStaticTerrain, HeaderTellsFieldsAndDefaults) {
+  EXPECT_EQ(fieldsOf(TeNodePtr<SoTeStaticTerrain>(new SoTeStaticTerrain).get()),
+            fileFormat("nodes/terrain/SoTeStaticTerrain.h"));
+}
+
 TEST(SoTeStaticTerrain, FieldsSurviveWritingAndReading) {
   const auto root =
       readScene("TeStaticTerrain { seed 18446744073709551615 generator \"faults:faults=20\" "
@@ -127,13 +85,9 @@ TEST(SoTeStaticTerrain, FieldsSurviveWritingAndReading) {
                 "parts TRUE }");
   ASSERT_TRUE(root);
   const std::string text = written(root.get());
-  SoInput input;
-  input.setBuffer(text.data(), text.size());
-  TeNodePtr<SoSeparator> again(SoDB::readAll(&input));
-  ASSERT_TRUE(again);
-  EXPECT_EQ(written(again.get()), text);
-  const SoTeStaticTerrain* a = terrainOf(root.get());
-  const SoTeStaticTerrain* b = terrainOf(again.get());
+  const auto again = readAgain(root.get());
+  const SoTeStaticTerrain* a = firstOf<SoTeStaticTerrain>(root.get());
+  const SoTeStaticTerrain* b = firstOf<SoTeStaticTerrain>(again.get());
   ASSERT_TRUE(a && b);
   EXPECT_TRUE(a->fieldsAreEqual(b)) << text;
   EXPECT_EQ(b->seed.getValue(), "18446744073709551615");
@@ -143,17 +97,14 @@ TEST(SoTeStaticTerrain, FieldsSurviveWritingAndReading) {
 
 TEST(SoTeStaticTerrain, FieldChangesRebuild) {
   const auto root = readScene("TeStaticTerrain { samples 17 }");
-  SoTeStaticTerrain* terrain = terrainOf(root.get());
-  int changes = 0;
-  SoNodeSensor sensor([](void* data, SoSensor*) { ++*static_cast<int*>(data); }, &changes);
-  sensor.setPriority(0);
-  sensor.attach(root.get());
+  SoTeStaticTerrain* terrain = firstOf<SoTeStaticTerrain>(root.get());
+  SceneChanges changes(root.get());
   EXPECT_EQ(triangles(root.get()), blockTriangles(3, 8));
-  EXPECT_EQ(changes, 0); // building is no change: it would ask for another redraw
+  EXPECT_EQ(changes.count, 0); // building is no change: it would ask for another redraw
   terrain->block = 2;
-  EXPECT_EQ(changes, 1);
+  EXPECT_EQ(changes.count, 1);
   EXPECT_EQ(triangles(root.get()), blockTriangles(2, 8));
-  EXPECT_EQ(changes, 1);
+  EXPECT_EQ(changes.count, 1);
   SoSeparator* graph = terrain->getGraph();
   EXPECT_EQ(triangles(root.get()), blockTriangles(2, 8));
   EXPECT_EQ(terrain->getGraph(), graph); // not built again
@@ -189,44 +140,29 @@ TEST(SoTeStaticTerrain, BadFieldsGiveOneWarningAndNothing) {
                              "image \"/nonexistent.png\"",
                              "file \"/nonexistent.tif\"",
                              "file \"/dev/null\"",
-                             "file \"/dev/null\" verticalUnit \"furlongs\""}) {
-    const CoinWarnings warnings;
-    auto root = readScene(std::string("TeStaticTerrain { ") + fields + " }");
-    ASSERT_TRUE(root) << fields;
-    EXPECT_EQ(triangles(root.get()), 0) << fields;
-    EXPECT_EQ(triangles(root.get()), 0) << fields;
-    SoGetBoundingBoxAction bounds(kViewport);
-    bounds.apply(root.get());
-    EXPECT_TRUE(bounds.getBoundingBox().isEmpty()) << fields;
-    EXPECT_EQ(warnings.lines.size(), 1u) << fields << ": " << testing::PrintToString(warnings.lines);
-    EXPECT_FALSE(terrainOf(root.get())->getError().empty()) << fields;
-  }
+                             "file \"/dev/null\" verticalUnit \"furlongs\""})
+    expectOneWarningAndNothing<SoTeStaticTerrain>(std::string("TeStaticTerrain { ") + fields + " }");
 }
 
 TEST(SoTeStaticTerrain, NotANumberIsOneWarning) {
   const auto root = readScene("TeStaticTerrain { samples 9 water TRUE colorHeights [ 1, 2 ] }");
-  SoTeStaticTerrain* terrain = terrainOf(root.get());
+  SoTeStaticTerrain* terrain = firstOf<SoTeStaticTerrain>(root.get());
   EXPECT_GT(triangles(root.get()), 0);
-  const auto expectNothing = [&](const char* field) {
-    const CoinWarnings warnings;
-    EXPECT_EQ(triangles(root.get()), 0) << field;
-    EXPECT_EQ(warnings.lines.size(), 1u) << field;
-  };
   const float nan = std::nanf("");
   terrain->spacing = double(nan);
-  expectNothing("spacing");
+  expectOneWarningAndNothing(root.get(), "spacing");
   terrain->spacing = 1;
   terrain->center.setValue(double(nan), 0);
-  expectNothing("center");
+  expectOneWarningAndNothing(root.get(), "center");
   terrain->center.setValue(0, 0);
   terrain->verticalScale = nan;
-  expectNothing("verticalScale");
+  expectOneWarningAndNothing(root.get(), "verticalScale");
   terrain->verticalScale = 1;
   terrain->waterLevel = nan;
-  expectNothing("waterLevel");
+  expectOneWarningAndNothing(root.get(), "waterLevel");
   terrain->waterLevel = 0;
   terrain->colorHeights.set1Value(0, nan);
-  expectNothing("colorHeights");
+  expectOneWarningAndNothing(root.get(), "colorHeights");
   terrain->colorHeights.set1Value(0, 1);
   EXPECT_GT(triangles(root.get()), 0);
 }
@@ -235,9 +171,9 @@ TEST(SoTeStaticTerrain, GoodFieldsAfterBadOnesDraw) {
   const CoinWarnings warnings;
   const auto root = readScene("TeStaticTerrain { samples 16 }");
   EXPECT_EQ(triangles(root.get()), 0);
-  terrainOf(root.get())->samples = 17;
+  firstOf<SoTeStaticTerrain>(root.get())->samples = 17;
   EXPECT_EQ(triangles(root.get()), blockTriangles(3, 8));
-  EXPECT_TRUE(terrainOf(root.get())->getError().empty());
+  EXPECT_TRUE(firstOf<SoTeStaticTerrain>(root.get())->getError().empty());
 }
 
 TEST(SoTeStaticTerrain, CopiesAndTwoInOneScene) {
@@ -246,8 +182,8 @@ TEST(SoTeStaticTerrain, CopiesAndTwoInOneScene) {
   EXPECT_EQ(triangles(root.get()), blockTriangles(3, 8) + blockTriangles(3, 4));
   TeNodePtr<SoNode> copy(root->copy());
   EXPECT_EQ(triangles(copy.get()), blockTriangles(3, 8) + blockTriangles(3, 4));
-  SoTeStaticTerrain* a = terrainOf(root.get());
-  SoTeStaticTerrain* b = terrainOf(copy.get());
+  SoTeStaticTerrain* a = firstOf<SoTeStaticTerrain>(root.get());
+  SoTeStaticTerrain* b = firstOf<SoTeStaticTerrain>(copy.get());
   EXPECT_NE(a, b);
   EXPECT_NE(a->getGraph(), b->getGraph());
   EXPECT_EQ(written(a->getGraph()), written(b->getGraph()));
@@ -257,7 +193,7 @@ TEST(SoTeStaticTerrain, CopiesAndTwoInOneScene) {
 
 TEST(SoTeStaticTerrain, PickTellsKeyAndPositionInDouble) {
   const auto root = readScene("TeStaticTerrain { seed 5 samples 33 center 1e9 -3e8 }");
-  SoTeStaticTerrain* terrain = terrainOf(root.get());
+  SoTeStaticTerrain* terrain = firstOf<SoTeStaticTerrain>(root.get());
   const TeStaticBlock* block = terrain->getBlock();
   ASSERT_TRUE(block);
   SoRayPickAction action(kViewport);
@@ -288,7 +224,7 @@ TEST(SoTeStaticTerrain, PickMeetsWhatIsDrawn) {
   // Through the hidden graph Coin's own shapes are picked in float: both must meet the same surface.
   for (const char* fields : {"seed 5", "seed 6 verticalScale 3"}) {
     const auto root = readScene(std::string("TeStaticTerrain { samples 33 ") + fields + " }");
-    SoTeStaticTerrain* terrain = terrainOf(root.get());
+    SoTeStaticTerrain* terrain = firstOf<SoTeStaticTerrain>(root.get());
     SoSeparator* graph = terrain->getGraph();
     SoRayPickAction ours(kViewport);
     SoRayPickAction coins(kViewport);
@@ -321,7 +257,8 @@ TEST(SoTeStaticTerrain, PickGoesThroughTransformsAndStyles) {
   SoRayPickAction action(kViewport);
   const SoPickedPoint* point = pickDown(action, moved.get(), 106, 4);
   ASSERT_TRUE(point);
-  const auto* detail = dynamic_cast<const SoTeTerrainDetail*>(point->getDetail(terrainOf(moved.get())));
+  const auto* detail =
+      dynamic_cast<const SoTeTerrainDetail*>(point->getDetail(firstOf<SoTeStaticTerrain>(moved.get())));
   ASSERT_TRUE(detail);
   EXPECT_NEAR(detail->getPosition().x, 3, 1e-5);
   EXPECT_NEAR(detail->getPosition().y, 2, 1e-5);
@@ -384,7 +321,7 @@ TEST(SoTeStaticTerrain, ElevationDataCoversTheBlock) {
     ASSERT_TRUE(input.openFile((folder / "scene.iv").c_str()));
     const TeNodePtr<SoSeparator> root(SoDB::readAll(&input));
     ASSERT_TRUE(root);
-    SoTeStaticTerrain* terrain = terrainOf(root.get());
+    SoTeStaticTerrain* terrain = firstOf<SoTeStaticTerrain>(root.get());
     const TeStaticBlock* block = terrain->getBlock();
     ASSERT_TRUE(block) << fields << ": " << terrain->getError();
     const bool native = std::string(fields).find("native") == 0;
@@ -396,9 +333,7 @@ TEST(SoTeStaticTerrain, ElevationDataCoversTheBlock) {
     }
     EXPECT_EQ(block->minimum(), std::string(fields).find("dm") != std::string::npos ? 1 : 10) << fields;
     EXPECT_GT(triangles(root.get()), 100) << fields;
-    SoGetBoundingBoxAction bounds(kViewport);
-    bounds.apply(root.get());
-    EXPECT_GE(bounds.getBoundingBox().getMin()[2], 0) << fields; // voids are never drawn
+    EXPECT_GE(boxOf(root.get()).getMin()[2], 0) << fields; // voids are never drawn
   }
   std::filesystem::remove_all(folder);
 }
