@@ -69,10 +69,10 @@ protected:
 
   /// Whether another value of a field of this node means other heights.
   virtual bool decidesHeights(const SoField* field) const;
-  /// Gives up the heights that it has, and gets those that it should have. `isReported`, false before:
-  /// another node has warned of the error already.
+  /// Gives up the heights that it has, and gets those that it should have. Sets `isReported`, which is false,
+  /// if another node has warned of the error already.
   virtual TeStatus load(bool& isReported) = 0;
-  /// Makes current what fields say beside the heights, which are there.
+  /// Makes current what fields say beside the heights, which are there. `isReported`: likewise.
   virtual TeStatus build(bool& isReported) = 0;
 
   // Asked of a terrain only: after load() and build() without an error.

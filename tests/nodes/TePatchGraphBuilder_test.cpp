@@ -1,13 +1,11 @@
 #include "nodes/TePatchGraphBuilder.h"
 
 #include "nodes/TeSceneFile.h"
+#include "nodes/askScene.h"
 #include "nodes/gridMesh.h"
 
 #include <Inventor/SoDB.h>
 #include <Inventor/SoInput.h>
-#include <Inventor/actions/SoGetBoundingBoxAction.h>
-#include <Inventor/actions/SoGetPrimitiveCountAction.h>
-#include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/nodes/SoCoordinate3.h>
 #include <Inventor/nodes/SoPackedColor.h>
 #include <Inventor/nodes/SoTextureCoordinate2.h>
@@ -25,19 +23,6 @@ namespace {
 float hills(double x, double y) { return float(20 * std::sin(x / 17) * std::cos(y / 13)); }
 
 TeLattice lattice(int samples, double spacing) { return *TeLattice::create(samples, spacing); }
-
-template <class Node> Node* find(SoNode* root) {
-  SoSearchAction search;
-  search.setType(Node::getClassTypeId());
-  search.apply(root);
-  return search.getPath() ? static_cast<Node*>(search.getPath()->getTail()) : nullptr;
-}
-
-int triangles(SoNode* root) {
-  SoGetPrimitiveCountAction count;
-  count.apply(root);
-  return count.getTriangleCount();
-}
 
 std::string fileText(const std::string& path) {
   std::ifstream file(path);
@@ -76,8 +61,8 @@ TEST(TePatchGraphBuilder, SharedVerticesAreTheSameBits) {
       const TePatchGraphBuilder builder({grid.position(first + 20), grid.position(7)});
       const auto left = builder.build(gridMesh(grid, first, 0, 31, 31, hills));
       const auto right = builder.build(gridMesh(grid, first + 30, 0, 3, 31, hills));
-      const SbVec3f* a = find<SoCoordinate3>(left.get())->point.getValues(0);
-      const SbVec3f* b = find<SoCoordinate3>(right.get())->point.getValues(0);
+      const SbVec3f* a = firstOf<SoCoordinate3>(left.get())->point.getValues(0);
+      const SbVec3f* b = firstOf<SoCoordinate3>(right.get())->point.getValues(0);
       for (int row = 0; row < 31; row++)
         EXPECT_EQ(std::memcmp(&a[row * 31 + 30], &b[row * 3], sizeof(SbVec3f)), 0) << spacing << " " << row;
       EXPECT_EQ(left->getChild(0), right->getChild(0));
@@ -99,8 +84,8 @@ TEST(TePatchGraphBuilder, WrittenPiecesReadBackTheSame) {
   TeNodePtr<SoSeparator> read(SoDB::readAll(&input));
   ASSERT_TRUE(read);
   EXPECT_EQ(triangles(read.get()), triangles(piece.get()));
-  const SoMFVec3f& a = find<SoCoordinate3>(piece.get())->point;
-  const SoMFVec3f& b = find<SoCoordinate3>(read.get())->point;
+  const SoMFVec3f& a = firstOf<SoCoordinate3>(piece.get())->point;
+  const SoMFVec3f& b = firstOf<SoCoordinate3>(read.get())->point;
   EXPECT_TRUE(a == b);
   ASSERT_TRUE(teWriteScene(read.get(), again));
   EXPECT_EQ(fileText(path), fileText(again));
@@ -126,7 +111,7 @@ TEST(TePatchGraphBuilder, ColoursOutOfRangeAreLimited) {
   colours.grass = {2.0f, -1.0f, std::nanf("")};
   builder.setColours(colours);
   const auto piece = builder.build(gridMesh(grid, 0, 0, 3, 3, [](double, double) { return -100.0f; }));
-  const SoMFUInt32& packed = find<SoPackedColor>(piece.get())->orderedRGBA;
+  const SoMFUInt32& packed = firstOf<SoPackedColor>(piece.get())->orderedRGBA;
   ASSERT_EQ(packed.getNum(), 9);
   for (int i = 0; i < 9; i++)
     EXPECT_EQ(packed[i], 0xFF0000FFu);
@@ -140,7 +125,7 @@ TEST(TePatchGraphBuilder, PartsHaveColoursOfTheirOwn) {
   std::vector<SbColor> colours;
   for (TeSurfacePart part : {TeSurfacePart::Patch, TeSurfacePart::Seam, TeSurfacePart::Corner}) {
     mesh.part = part;
-    colours.push_back(find<SoBaseColor>(builder.build(mesh).get())->rgb[0]);
+    colours.push_back(firstOf<SoBaseColor>(builder.build(mesh).get())->rgb[0]);
   }
   EXPECT_NE(colours[0], colours[1]);
   EXPECT_NE(colours[1], colours[2]);
@@ -156,11 +141,11 @@ TEST(TePatchGraphBuilder, ImageSpansItsRectangle) {
   const TeWorldRect rect = {{grid.position(0), grid.position(0)}, {grid.position(4), grid.position(8)}};
   ASSERT_TRUE(builder.setImage(image, rect));
   const auto piece = builder.build(gridMesh(grid, 0, 0, 5, 5, hills));
-  const SoMFVec2f& st = find<SoTextureCoordinate2>(piece.get())->point;
+  const SoMFVec2f& st = firstOf<SoTextureCoordinate2>(piece.get())->point;
   EXPECT_EQ(st[0], SbVec2f(0, 0));
   EXPECT_EQ(st[24], SbVec2f(1, 0.5f));
-  EXPECT_TRUE(find<SoTexture2>(piece.get()));
-  EXPECT_FALSE(find<SoPackedColor>(piece.get()));
+  EXPECT_TRUE(firstOf<SoTexture2>(piece.get()));
+  EXPECT_FALSE(firstOf<SoPackedColor>(piece.get()));
 
   EXPECT_FALSE(builder.setImage(TePicture(), rect));
   EXPECT_FALSE(builder.setImage(image, {rect.northEast, rect.southWest}));

@@ -1,22 +1,13 @@
 #include "nodes/terrain/SoTeStaticTerrain.h"
 
-#include <Inventor/actions/SoGetPrimitiveCountAction.h>
+#include "nodes/askScene.h"
+
 #include <Inventor/errors/SoDebugError.h>
 
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <limits>
-
-namespace {
-
-int triangles(SoNode* root) {
-  SoGetPrimitiveCountAction count;
-  count.apply(root);
-  return count.getTriangleCount();
-}
-
-} // namespace
 
 // Every size is drawn whole or refused with one line.
 TEST(HardCase, SizesNodes) {

@@ -1,8 +1,8 @@
 #include "render/TeSeamlessNodeTest.h"
 
+#include "nodes/askScene.h"
 #include "render/magenta.h"
 
-#include <Inventor/actions/SoGetBoundingBoxAction.h>
 #include <Inventor/nodes/SoLightModel.h>
 #include <Inventor/nodes/SoTranslation.h>
 
@@ -21,12 +21,6 @@ TeNodePtr<SoTeSeamlessPatches> plain(const SbColor& colour) {
   node->tileColor = colour;
   node->stripColor = colour;
   return node;
-}
-
-SbBox3f boxOf(SoNode* node) {
-  SoGetBoundingBoxAction bounds(SbViewportRegion(64, 64));
-  bounds.apply(node);
-  return bounds.getBoundingBox();
 }
 
 } // namespace

@@ -16,7 +16,6 @@
 
 #include <climits>
 #include <fstream>
-#include <iterator>
 
 using testing::AllOf;
 using testing::ElementsAre;

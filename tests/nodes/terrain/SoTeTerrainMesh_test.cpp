@@ -1,14 +1,9 @@
 #include "nodes/terrain/SoTeTerrainMesh.h"
 
+#include "nodes/askScene.h"
 #include "nodes/gridMesh.h"
 #include "nodes/terrain/SoTeTerrainDetail.h"
 
-#include <Inventor/SoPickedPoint.h>
-#include <Inventor/SoPrimitiveVertex.h>
-#include <Inventor/actions/SoCallbackAction.h>
-#include <Inventor/actions/SoGetBoundingBoxAction.h>
-#include <Inventor/actions/SoGetPrimitiveCountAction.h>
-#include <Inventor/actions/SoRayPickAction.h>
 #include <Inventor/nodes/SoPickStyle.h>
 #include <Inventor/nodes/SoRotationXYZ.h>
 #include <Inventor/nodes/SoSeparator.h>
@@ -19,22 +14,8 @@
 
 namespace {
 
-const SbViewportRegion kViewport(100, 100);
-
 // Sample 16 of a lattice of 65 samples lies at 0.
 float hills(double x, double y) { return float(6 * std::sin(x / 5) * std::cos(y / 7)); }
-
-int triangles(SoNode* root) {
-  SoGetPrimitiveCountAction count;
-  count.apply(root);
-  return count.getTriangleCount();
-}
-
-SbBox3f boxOf(SoNode* root) {
-  SoGetBoundingBoxAction bounds(kViewport);
-  bounds.apply(root);
-  return bounds.getBoundingBox();
-}
 
 /// One mesh below its drawing's translation; the anchor is the scene's origin at first.
 class SoTeTerrainMeshNode : public testing::Test {
