@@ -12,7 +12,7 @@ constexpr double kAim = 0.975; ///< of the budget: the middle of what is accepte
 } // namespace
 
 double TeMeshBudget::search(std::int64_t budget, double start,
-                                const std::function<std::int64_t(double)>& triangles) {
+                            const std::function<std::int64_t(double)>& triangles) {
   double tooFine = 0, keeps = 0; // tried ones; 0: none
   double tried = start, before = 0, countBefore = 0;
   double power = 1; // triangles ~ coarsening ^ -power, by the last two tries
