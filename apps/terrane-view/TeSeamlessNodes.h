@@ -19,6 +19,7 @@ public:
   TeSeamlessNodes(SoNode* scene, const TeViewOptions& options);
 
   bool any() const { return !m_nodes.empty(); }
+  const std::vector<TeNodePtr<SoTeLodTerrain>>& lodTerrains() const { return m_others; }
   /// Of the last frame: counts, bytes and times summed up, the largest error bound and precision.
   TeSeamlessStatistics statistics() const;
   /// Whether the next frame would be finer.
