@@ -2,6 +2,9 @@
 
 class SoSeparator;
 
-/// Makes what follows in a separator a background or an overlay: drawn in its own colours without light,
-/// without reading or writing depth, and never picked.
+/// Makes what follows in a separator a sign rather than a thing: drawn in its own colours without light or
+/// fog, as faces whatever the style before, and never picked.
+void teAddSignState(SoSeparator& separator);
+
+/// Makes what follows in a separator a background or an overlay: signs that neither read nor write depth.
 void teAddOverlayState(SoSeparator& separator);

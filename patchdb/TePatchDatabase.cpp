@@ -131,8 +131,6 @@ TeResult<TePatchMeshPtr> TePatchDatabase::seam(TePatchData& patch, TeDirection d
   });
 }
 
-std::optional<double> TePatchDatabase::heightAt(glm::dvec2 point) const { return m_surface.heightAt(point); }
-
 std::optional<glm::dvec3> TePatchDatabase::normalAt(glm::dvec2 point) const {
   return m_surface.normalAt(point);
 }

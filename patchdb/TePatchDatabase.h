@@ -72,7 +72,12 @@ public:
   TeResult<TePatchMeshPtr> seam(TePatchData& patch, TeDirection direction);
 
   /// Height of the surface; at samples exactly the sample's float. Cost: tens of ns (docs/patch-tree.md).
-  std::optional<double> heightAt(glm::dvec2 point) const;
+  std::optional<double> heightAt(glm::dvec2 point) const { return m_surface.heightAt(point); }
+  /// Of many points, NaN where there is none: faster than one by one where they are scattered over so many
+  /// patches that each waits for memory.
+  void heightsAt(const glm::dvec2* points, std::size_t count, double* heights) const {
+    m_surface.heightsAt(points, count, heights);
+  }
   /// Unit normal of the triangle below or above the point (of one of them on an edge).
   std::optional<glm::dvec3> normalAt(glm::dvec2 point) const;
   /// First hit of the ray with the surface of the patches of a level, from above or below, at a distance

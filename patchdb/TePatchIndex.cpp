@@ -1,62 +1,81 @@
 #include "patchdb/TePatchIndex.h"
 
-#include "patchdb/TePatchData.h"
-
 #include <cassert>
 #include <utility>
 
-TePatchData* TePatchIndex::find(std::int64_t x, std::int64_t y) const {
-  if (m_slots.empty())
-    return nullptr;
-  const std::uint64_t hash = hashOf(x, y);
-  const std::size_t last = m_slots.size() - 1;
-  for (std::size_t i = home(hash); m_slots[i].patch; i = (i + 1) & last)
-    if (m_slots[i].hash == hash && m_slots[i].patch->key().x == x && m_slots[i].patch->key().y == y)
-      return m_slots[i].patch;
-  return nullptr;
+std::size_t TePatchIndex::Bucket::taken() const {
+  std::size_t count = 0;
+  while (count < kPlaces && hashes[count] != 0)
+    ++count;
+  return count;
+}
+
+void TePatchIndex::Bucket::drop(std::size_t place) {
+  const std::size_t lastTaken = taken() - 1;
+  hashes[place] = hashes[lastTaken];
+  patches[place] = patches[lastTaken];
+  hashes[lastTaken] = 0;
+  patches[lastTaken] = nullptr;
 }
 
 void TePatchIndex::reserve(std::size_t patches) {
-  if (2 * patches <= m_slots.size())
+  if (2 * patches <= kPlaces * m_buckets.size())
     return;
-  std::size_t count = 4;
-  int shift = 62;
-  for (; count < 2 * patches; count *= 2)
+  std::size_t count = 1;
+  int shift = 63;
+  for (; kPlaces * count < 2 * patches; count *= 2)
     --shift;
-  std::vector<Slot> slots(count);
-  std::swap(slots, m_slots);
+  std::vector<Bucket> buckets(count);
+  std::swap(buckets, m_buckets);
   m_shift = shift;
   m_size = 0;
-  for (const Slot& slot : slots)
-    if (slot.patch)
-      add(*slot.patch);
+  for (const Bucket& bucket : buckets)
+    for (std::size_t place = 0; place < bucket.taken(); ++place)
+      add(*bucket.patches[place]);
 }
 
 void TePatchIndex::add(TePatchData& patch) {
-  assert(2 * m_size < m_slots.size());
+  assert(2 * m_size < kPlaces * m_buckets.size());
   const std::uint64_t hash = hashOf(patch.key().x, patch.key().y);
-  const std::size_t last = m_slots.size() - 1;
   std::size_t i = home(hash);
-  while (m_slots[i].patch)
-    i = (i + 1) & last;
-  m_slots[i] = {hash, &patch};
+  while (m_buckets[i].isFull())
+    i = (i + 1) & last();
+  const std::size_t place = m_buckets[i].taken();
+  m_buckets[i].hashes[place] = hash;
+  m_buckets[i].patches[place] = &patch;
   ++m_size;
 }
 
-// Those behind it that are not at home move up, so that no look-up stops at the gap.
+// A patch that is not in its home must have full buckets only between that and its own: others move up.
 void TePatchIndex::remove(const TePatchData& patch) {
-  const std::size_t last = m_slots.size() - 1;
   std::size_t gap = home(hashOf(patch.key().x, patch.key().y));
-  while (m_slots[gap].patch != &patch)
-    gap = (gap + 1) & last;
-  for (std::size_t i = (gap + 1) & last; m_slots[i].patch; i = (i + 1) & last) {
-    const std::size_t wanted = home(m_slots[i].hash);
-    // How far it is from home, and how far it would be in the gap.
-    if (((i - wanted) & last) >= ((i - gap) & last)) {
-      m_slots[gap] = m_slots[i];
+  std::size_t place = 0;
+  const auto isIn = [&](const Bucket& bucket) {
+    for (place = 0; place < kPlaces; ++place)
+      if (bucket.patches[place] == &patch)
+        return true;
+    return false;
+  };
+  while (!isIn(m_buckets[gap]))
+    gap = (gap + 1) & last();
+  bool wasFull = m_buckets[gap].isFull();
+  m_buckets[gap].drop(place);
+  --m_size;
+  for (std::size_t i = (gap + 1) & last(); wasFull; i = (i + 1) & last()) {
+    Bucket& bucket = m_buckets[i];
+    wasFull = bucket.isFull();
+    for (std::size_t at = 0; at < bucket.taken(); ++at) {
+      // How far it is from home, and how far from there to the gap.
+      const std::size_t away = (i - home(bucket.hashes[at])) & last();
+      if (away < ((i - gap) & last()))
+        continue;
+      Bucket& to = m_buckets[gap];
+      const std::size_t free = to.taken();
+      to.hashes[free] = bucket.hashes[at];
+      to.patches[free] = bucket.patches[at];
+      bucket.drop(at);
       gap = i;
+      break;
     }
   }
-  m_slots[gap] = {};
-  --m_size;
 }

@@ -27,6 +27,7 @@ public:
   const TeGrowingTree& level(int level) const {
     return level >= 0 && level < int(m_levels.size()) ? m_levels[std::size_t(level)] : m_noLevel;
   }
+  const TeGrowingTree& base() const { return m_levels.empty() ? m_noLevel : m_levels.front(); }
 
 private:
   TePatchData& create(const TePatchKey& key);

@@ -4,11 +4,13 @@
 #include "patchdb/TeSurfaceRay.h"
 
 #include <algorithm>
+#include <array>
+#include <limits>
 
 /// TeLattice::sampleBelow() without its divisions. The sample is the same, since it is settled by the
 /// positions that samples have; the fraction may differ by its last bit, and is 0 for the same points.
 inline std::int64_t TeSurface::sampleBelow(double coordinate, double& fraction) const {
-  const double cell = coordinate * m_perMetre + 0.5 * double(m_cells);
+  const double cell = coordinate * m_perMetre + m_halfSide;
   std::int64_t below = std::int64_t(cell);
   below -= double(below) > cell ? 1 : 0;
   double west = position(below);
@@ -22,38 +24,55 @@ inline std::int64_t TeSurface::sampleBelow(double coordinate, double& fraction) 
   return below;
 }
 
-/// Floor of sample / cells, without a division: the product is off by little, since keys have 48 bits.
-inline std::int64_t TeSurface::patchAt(std::int64_t sample) const {
+/// Floor of sample / cells and what is left, without a division: the product is off by little, since keys
+/// have 48 bits.
+inline std::int64_t TeSurface::patchAt(std::int64_t sample, std::int64_t& within) const {
   std::int64_t quotient = std::int64_t(double(sample) * m_perCells);
-  quotient -= quotient * m_cells > sample ? 1 : 0; // as often as not where samples are negative: no branch
-  while (quotient * m_cells > sample)
-    --quotient;
-  while ((quotient + 1) * m_cells <= sample)
+  quotient -= sample < 0 ? 1 : 0; // no branch: which side of the origin cannot be foretold
+  within = sample - quotient * m_cells;
+  for (; within >= m_cells; within -= m_cells)
     ++quotient;
+  for (; within < 0; within += m_cells)
+    --quotient;
   return quotient;
 }
 
-inline const TePatchData* TeSurface::patchOf(std::int64_t sampleX, std::int64_t sampleY) const {
-  const std::int64_t cells = m_cells;
+/// The base patch with heights that holds the base cell at a sample, which becomes that of the patch; null if
+/// there is none, and then x and y may be anything.
+inline const TePatchData* TeSurface::basePatchOf(std::int64_t& x, std::int64_t& y) const {
   const TePatchData* last = m_last.load(std::memory_order_acquire);
   if (last && last->hasHeights()) {
-    const std::int64_t x = sampleX - last->key().x * cells;
-    const std::int64_t y = sampleY - last->key().y * cells;
-    if (x >= 0 && x < cells && y >= 0 && y < cells)
+    const std::int64_t lastX = x - last->key().x * m_cells;
+    const std::int64_t lastY = y - last->key().y * m_cells;
+    // One branch: on which side of it the cell lies cannot be foretold.
+    if (std::max(std::uint64_t(lastX), std::uint64_t(lastY)) < std::uint64_t(m_cells)) {
+      x = lastX;
+      y = lastY;
       return last;
+    }
   }
-  const TePatchKey key{patchAt(sampleX), patchAt(sampleY), 0};
-  if (!key.valid())
-    return nullptr;
-  const TePatchData* found = m_tree->find(key);
+  std::int64_t withinX, withinY;
+  const std::int64_t patchX = patchAt(x, withinX), patchY = patchAt(y, withinY);
+  const TePatchData* found = m_tree->base().find(patchX, patchY);
   if (!found || !found->hasHeights())
-    return m_tree->nearestWithHeights(key);
+    return nullptr;
   m_last.store(found, std::memory_order_release);
+  x = withinX;
+  y = withinY;
   return found;
 }
 
+inline const TePatchData* TeSurface::patchOf(std::int64_t sampleX, std::int64_t sampleY) const {
+  std::int64_t x = sampleX, y = sampleY;
+  if (const TePatchData* patch = basePatchOf(x, y))
+    return patch;
+  const TePatchKey key{patchAt(sampleX, x), patchAt(sampleY, y), 0};
+  return key.valid() ? m_tree->nearestWithHeights(key) : nullptr;
+}
+
 inline const TePatchData* TeSurface::patchOf(std::int64_t sampleX, std::int64_t sampleY, int level) const {
-  const TePatchKey base{patchAt(sampleX), patchAt(sampleY), 0};
+  std::int64_t x, y;
+  const TePatchKey base{patchAt(sampleX, x), patchAt(sampleY, y), 0};
   if (!base.valid())
     return nullptr;
   const TePatchData* found = m_tree->find({base.x >> level, base.y >> level, level});
@@ -85,9 +104,7 @@ inline bool TeSurface::locateInCell(std::int64_t sampleX, std::int64_t sampleY, 
 }
 
 inline bool TeSurface::locate(glm::dvec2 point, int level, Place& place) const {
-  const double limit = 2 * m_halfCell * double(m_cells) * double(TeLattice::kMaxKey);
-  // Written so that a NaN fails.
-  if (!(std::fabs(point.x) < limit && std::fabs(point.y) < limit))
+  if (!holds(point))
     return false;
   double u, v;
   const std::int64_t x = sampleBelow(point.x, u);
@@ -107,11 +124,69 @@ inline bool TeSurface::locate(glm::dvec2 point, int level, Place& place) const {
   return false;
 }
 
-std::optional<double> TeSurface::heightAt(glm::dvec2 point) const {
+// The usual case by itself: a base patch, not its north or east rim, and nothing missing.
+bool TeSurface::findHeight(glm::dvec2 point, double& height) const {
+  if (!holds(point))
+    return false;
+  double u, v;
+  std::int64_t x = sampleBelow(point.x, u), y = sampleBelow(point.y, v);
+  if (const TePatchData* patch = basePatchOf(x, y)) {
+    const TeHeightMap& heights = patch->heights();
+    const TeSurfaceCell cell = TeSurfaceCell::of(heights.row(int(y)) + x, heights.width());
+    if (cell.complete()) {
+      height = teInnerHeight(cell, u, v);
+      return true;
+    }
+  }
   Place place;
   if (!locate(point, kFinest, place))
-    return std::nullopt;
-  return teCellHeight(place.cell, place.u, place.v);
+    return false;
+  height = teCellHeight(place.cell, place.u, place.v);
+  return true;
+}
+
+// Each step for several points, so that what one waits for in memory the next asks for meanwhile.
+void TeSurface::heightsAt(const glm::dvec2* points, std::size_t count, double* heights) const {
+  constexpr std::size_t kTogether = 32;
+  struct Query {
+    double u, v;
+    std::int64_t x, y; ///< of the cell in its patch
+    std::int64_t patchX, patchY;
+    const TePatchData* patch;
+    TeSurfaceCell cell;
+  };
+  std::array<Query, kTogether> queries;
+  const TeGrowingTree& base = m_tree->base();
+  for (std::size_t first = 0; first < count; first += kTogether) {
+    const std::size_t together = std::min(kTogether, count - first);
+    for (std::size_t i = 0; i < together; ++i) {
+      Query& query = queries[i];
+      const glm::dvec2 point = holds(points[first + i]) ? points[first + i] : glm::dvec2(0);
+      query.patchX = patchAt(sampleBelow(point.x, query.u), query.x);
+      query.patchY = patchAt(sampleBelow(point.y, query.v), query.y);
+    }
+    for (std::size_t i = 0; i < together; ++i) {
+      Query& query = queries[i];
+      query.patch = base.find(query.patchX, query.patchY);
+    }
+    for (std::size_t i = 0; i < together; ++i) {
+      Query& query = queries[i];
+      if (query.patch && query.patch->hasHeights()) {
+        const TeHeightMap& map = query.patch->heights();
+        query.cell = TeSurfaceCell::of(map.row(int(query.y)) + query.x, map.width());
+      } else {
+        query.cell.southWest = std::numeric_limits<float>::quiet_NaN();
+      }
+    }
+    for (std::size_t i = 0; i < together; ++i) {
+      const Query& query = queries[i];
+      double& height = heights[first + i];
+      if (query.cell.complete() && holds(points[first + i]))
+        height = teInnerHeight(query.cell, query.u, query.v);
+      else
+        height = heightAt(points[first + i]).value_or(std::numeric_limits<double>::quiet_NaN());
+    }
+  }
 }
 
 std::optional<glm::dvec3> TeSurface::normalAt(glm::dvec2 point) const {

@@ -26,3 +26,10 @@ void teSaveScreenshot(const TeResult<TePicture>& picture, const std::string& fol
   }
   TeLog::error(folder + ": holds " + std::to_string(kMostPictures - 1) + " pictures already; delete some");
 }
+
+TeStatus teKeepPicture(const TePicture& picture, const TeCommonOptions& common, TeReport& report) {
+  if (picture.rgba.empty())
+    return {};
+  report.addPicture(picture);
+  return common.offscreen.empty() ? TeStatus() : picture.writePng(common.offscreen);
+}

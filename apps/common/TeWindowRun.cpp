@@ -1,8 +1,8 @@
 #include "apps/common/TeWindowRun.h"
 
+#include "apps/common/TeScreenshots.h"
 #include "engine/loop/TeEngineLoop.h"
 #include "generators/base/TeText.h"
-#include "nodes/context/TeWindow.h"
 
 #include <Inventor/SoDB.h>
 
@@ -69,33 +69,37 @@ private:
 
 } // namespace
 
-TeStatus teRunInWindow(TeEngineSession& session, const std::string& title, TeReport& report) {
-  const TeCommonOptions& common = session.common();
+TeResult<TeViewerSession> teShowInWindow(SoNode& scene, const std::string& title, const SbColor& background,
+                                         const TeCommonOptions& common, TeWindowClient& client,
+                                         TeReport& report) {
   TeViewerOptions viewer;
   viewer.title = title;
   viewer.width = common.width;
   viewer.height = common.height;
-  viewer.background = session.stage().background();
+  viewer.background = background;
   viewer.frames = common.offscreen.empty() ? common.frames : std::max(1, common.frames);
   SoDB::setRealTimeInterval(SbTime::zero()); // a timer of Coin's, which nothing here needs
+  TeResult<TeViewerSession> shown = teRunWindow(&scene, viewer, client);
+  if (shown) {
+    report.json()["context"] = common.context;
+    report.json()["renderer"] = shown->renderer;
+  }
+  return shown;
+}
+
+TeStatus teRunInWindow(TeEngineSession& session, const std::string& title, TeReport& report) {
   Client client(session);
   if (const TeStatus ok = client.setRate(session.options().fps); !ok)
     return ok;
-  const TeResult<TeViewerSession> shown = teRunWindow(&session.stage().all(), viewer, client);
+  const TeResult<TeViewerSession> shown = teShowInWindow(
+      session.stage().all(), title, session.stage().background(), session.common(), client, report);
   if (!shown)
     return shown.error();
   if (!client.status())
     return client.status();
-  auto& json = report.json();
-  json["context"] = common.context;
-  json["renderer"] = shown->renderer;
-  json["frames"] = session.engine().getStatistics().redraws;
+  report.json()["frames"] = session.engine().getStatistics().redraws;
   report.addTime("frame_mean", shown->meanSeconds);
   report.addTime("frame_longest", shown->longestSeconds);
-  json["state_hash"] = teHexText(session.engine().stateHash());
-  const TePicture& picture = shown->picture;
-  if (picture.rgba.empty())
-    return {};
-  report.addPicture(picture);
-  return common.offscreen.empty() ? TeStatus() : picture.writePng(common.offscreen);
+  report.json()["state_hash"] = teHexText(session.engine().stateHash());
+  return teKeepPicture(shown->picture, session.common(), report);
 }

@@ -21,6 +21,13 @@ TeStatus TeAccuracyOutput::prepare() {
   return {};
 }
 
+void TeAccuracyOutput::addTable(const TeTable& table) {
+  const std::string text = table.markdown();
+  addText(text);
+  if (!m_commandLine.common().quiet)
+    std::fputs(text.c_str(), stdout);
+}
+
 void TeAccuracyOutput::addPlot(const TePlot& plot, const std::string& suffix) {
   if (const TeStatus ok = plot.write(path("_" + suffix)); !ok) {
     if (!m_commandLine.common().quiet)

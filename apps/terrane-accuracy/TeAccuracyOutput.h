@@ -16,7 +16,8 @@ public:
   nlohmann::ordered_json& json() { return m_report.json(); }
   /// A paragraph of the Markdown section, after its heading.
   void addText(const std::string& paragraph) { m_text += paragraph + "\n\n"; }
-  void addTable(const TeTable& table) { addText(table.markdown()); }
+  /// A table in the Markdown section, which is printed, too, unless --quiet.
+  void addTable(const TeTable& table);
   /// Draws NAME_<suffix>.svg and .png, and shows it in the Markdown section. Where that is not possible (no
   /// gnuplot) the section goes without, and one line on standard error says why.
   void addPlot(const TePlot& plot, const std::string& suffix);

@@ -28,6 +28,11 @@ std::vector<std::string> cellsOf(const std::string& line) {
   return cells;
 }
 
+/// Of a line of CSV.
+std::string firstCellOf(const std::string& line) {
+  return line[0] == '"' ? line.substr(1, line.find('"', 1) - 1) : line.substr(0, line.find(','));
+}
+
 /// Leaves only some columns of tables.
 class Columns {
 public:
@@ -79,16 +84,30 @@ TeStatus TeAccuracyPage::copy(const std::string& file, const std::string& folder
   return {};
 }
 
-TeStatus TeAccuracyPage::addSection(const std::string& name, const std::string& heading,
-                                    const std::vector<std::string>& columns) {
+TeStatus TeAccuracyPage::copyTable(const Section& section) const {
+  const std::string file = section.name + ".csv";
+  if (const TeStatus ok = copy(file, "accuracy"); !ok || section.runs.empty())
+    return ok;
+  std::ifstream stream(fs::path(m_work) / file);
+  std::string line;
+  std::getline(stream, line);
+  std::string text = line + "\n";
+  while (std::getline(stream, line))
+    if (std::find(section.runs.begin(), section.runs.end(), firstCellOf(line)) != section.runs.end())
+      text += line + "\n";
+  return TePartFile::writeWhole((fs::path(m_folder) / "accuracy" / file).string(), text);
+}
+
+TeStatus TeAccuracyPage::addSection(const Section& section) {
+  const std::string& name = section.name;
   const fs::path file = fs::path(m_work) / (name + ".md");
   std::ifstream stream(file);
   if (!stream)
     return TeError{file.string() + ": cannot be read"};
-  std::string section = "## " + heading + "\n\n";
-  Columns chosen(columns);
+  std::string text = "## " + section.heading + "\n\n";
+  Columns chosen(section.columns);
   for (std::string line; std::getline(stream, line);) {
-    const bool blankAgain = line.empty() && section.substr(section.size() - 2) == "\n\n";
+    const bool blankAgain = line.empty() && text.substr(text.size() - 2) == "\n\n";
     if (line == "## " + name || blankAgain)
       continue;
     // Files are named, but no folders of this machine.
@@ -99,13 +118,14 @@ TeStatus TeAccuracyPage::addSection(const std::string& name, const std::string& 
         return ok;
       line.insert(line.size() - shown.size() - 1, "images/accuracy/");
     }
-    section += chosen.shown(line) + "\n";
+    text += chosen.shown(line) + "\n";
   }
-  if (const TeStatus ok = copy(name + ".csv", "accuracy"); !ok)
+  if (const TeStatus ok = copyTable(section); !ok)
     return ok;
-  if (section.substr(section.size() - 2) != "\n\n")
-    section += "\n";
-  m_text += section + "All figures: [" + name + ".csv](accuracy/" + name + ".csv).\n\n";
+  if (text.substr(text.size() - 2) != "\n\n")
+    text += "\n";
+  m_text += text + (section.runs.empty() ? "All figures: [" : "Figures of the runs in the diagrams: [") +
+            name + ".csv](accuracy/" + name + ".csv).\n\n";
   return {};
 }
 

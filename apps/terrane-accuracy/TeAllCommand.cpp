@@ -1,12 +1,11 @@
 #include "apps/terrane-accuracy/TeAllCommand.h"
 
 #include "apps/common/TeExit.h"
-#include "apps/terrane-accuracy/TeAccuracyOutput.h"
-#include "apps/terrane-accuracy/TeSmoothLand.h"
+#include "apps/common/TeStopwatch.h"
+#include "apps/terrane-accuracy/TeQualityCommand.h"
 #include "generators/base/TeText.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -19,10 +18,8 @@ constexpr double kSteps = 65535;
 
 /// The middle of a terrain in whole units that take 16 bits, so that all parts read the same file.
 TeResult<TeMeasuredTerrain> middleOf(const TeMeasuredTerrain& terrain, int samples) {
-  const int side = std::min(samples, terrain.heights().width());
-  const int first = (terrain.heights().width() - side) / 2;
-  const TeMapRect from{first, first, side, side};
-  TeResult<TeHeightMap> map = TeHeightMap::create(side, side);
+  const TeMapRect from = terrain.middle(samples);
+  TeResult<TeHeightMap> map = TeHeightMap::create(from.width, from.height);
   if (!map)
     return map.error();
   const TeResult<TeMapStatistics> statistics = terrain.heights().statistics(from);
@@ -30,10 +27,10 @@ TeResult<TeMeasuredTerrain> middleOf(const TeMeasuredTerrain& terrain, int sampl
     return statistics.error();
   const double relief = (double(statistics->maximum) - statistics->minimum) * terrain.heightScale();
   const double unit = std::max(relief / kSteps, 1e-6);
-  for (int y = 0; y < side; ++y)
-    for (int x = 0; x < side; ++x)
+  for (int y = 0; y < from.height; ++y)
+    for (int x = 0; x < from.width; ++x)
       map->at(x, y) = float(
-          std::clamp(std::round((double(terrain.heights().at(first + x, first + y)) - statistics->minimum) *
+          std::clamp(std::round((double(terrain.heights().at(from.x + x, from.y + y)) - statistics->minimum) *
                                 terrain.heightScale() / unit),
                      0.0, kSteps));
   return TeMeasuredTerrain::create(std::filesystem::path(terrain.name).filename().string(), std::move(*map),
@@ -64,59 +61,47 @@ std::string processor() {
 } // namespace
 
 TeAllCommand::TeAllCommand(TeCommandLine& commandLine, Program program)
-    : m_commandLine(commandLine), m_program(program),
-      m_cli(commandLine.cli().add_subcommand("all",
-                                             "Runs all of these and writes one page of what they measure")) {
-  m_cli->fallthrough();
-  m_terrain.addTo(*m_cli);
-  const std::string group = "Measuring";
-  m_cli->add_option("--samples-log", m_samplesLog, "Look at the middle 2^N + 1 samples a side (default: 10)")
-      ->transform(TeCommandLine::wholeWithin(6, 12))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_flag("--quick", m_quick, "A few frames, maps and queries, to see that all of it works")
-      ->group(group);
-  m_cli->add_flag("--no-draw", m_noDraw, "Measure what the CPU does only")->group(group);
-  m_cli->add_option("--out", m_folder, "Folder for accuracy.md, images/accuracy and accuracy (default: docs)")
-      ->check(TeCommandLine::notEmpty())
-      ->option_text("DIR")
-      ->group(group);
-  m_cli->add_option("--work", m_work, "Folder for what the parts write (default: accuracy)")
-      ->check(TeCommandLine::notEmpty())
-      ->option_text("DIR")
-      ->group(group);
+    : TeAccuracyCommand(commandLine, "all", "Runs all of these and writes one page of what they measure"),
+      m_program(program) {
+  m_choice.addTo(cli());
+  addInteger("--samples-log", m_samplesLog, 6, 12, "Look at the middle 2^N + 1 samples a side (default: 10)");
+  addFlag("--quick", m_quick, "A few frames, maps and queries, to see that all of it works");
+  addNoDraw("Measure what the CPU does only");
+  addFolder("--out", m_pageFolder, "Folder for accuracy.md, images/accuracy and accuracy (default: docs)");
+  addOutput("--work", "Folder for what the parts write (default: accuracy)");
 }
 
-TeResult<TeMeasuredTerrain> TeAllCommand::land() const {
+TeStatus TeAllCommand::read() {
   const int samples = (1 << m_samplesLog) + 1;
-  if (m_terrain.map.empty() && m_terrain.dem.empty())
-    return middleOf(
-        TeMeasuredTerrain::create("mountains", teMountains(samples), TeSmoothLand::kSpacing, 1).value(),
-        samples);
-  const TeResult<TeMeasuredTerrain> terrain = m_terrain.read();
+  const TeResult<TeMeasuredTerrain> terrain = m_choice.readOrMountains(samples);
   if (!terrain)
     return terrain.error();
-  return middleOf(*terrain, samples);
+  if (const TeStatus ok = keep(middleOf(*terrain, samples), m_terrain); !ok)
+    return ok;
+  std::error_code ignored;
+  if (!m_choice.map.empty() && std::filesystem::equivalent(m_choice.map, mapFile(), ignored))
+    return TeError{m_choice.map + ": would be written over"};
+  return {};
 }
 
-std::string TeAllCommand::mapFile(const TeMeasuredTerrain& terrain) const {
-  return m_work + "/all_" + std::filesystem::path(terrain.name).stem().string() + ".raw";
+std::string TeAllCommand::mapFile() const {
+  return folder() + "/all_" + std::filesystem::path(m_terrain->name).stem().string() + ".raw";
 }
 
-std::vector<TeAllCommand::Part> TeAllCommand::parts(const TeMeasuredTerrain& terrain) const {
+std::vector<TeAllCommand::Part> TeAllCommand::parts() const {
   using Words = std::vector<std::string>;
-  const Words map = {"--map",         mapFile(terrain),
-                     "--cells",       teNumberText(terrain.spacing()),
-                     "--height-unit", teNumberText(terrain.heightScale())};
+  const Words map = {"--map",         mapFile(),
+                     "--cells",       teNumberText(m_terrain->spacing()),
+                     "--height-unit", teNumberText(m_terrain->heightScale())};
   std::vector<Part> parts;
   const auto add = [&](const std::string& name, const std::string& heading, const Words& full,
                        const Words& quick, const Words& columns = {}) {
-    Part part{name, heading, {name}, columns};
+    Part part{{name, heading, columns}, {name}};
     if (name != "generation" && name != "quality")
       part.arguments.insert(part.arguments.end(), map.begin(), map.end());
     const Words& effort = m_quick ? quick : full;
     part.arguments.insert(part.arguments.end(), effort.begin(), effort.end());
-    if (m_noDraw && (name == "lod" || name == "instancing" || (name == "quality" && !m_quick)))
+    if (!draws() && (name == "lod" || name == "instancing" || (name == "quality" && !m_quick)))
       part.arguments.push_back("--no-draw");
     parts.push_back(std::move(part));
   };
@@ -128,11 +113,12 @@ std::vector<TeAllCommand::Part> TeAllCommand::parts(const TeMeasuredTerrain& ter
   add("instancing", "Drawing: instanced and classic Seamless Patches", {"--frames", "60"}, {"--frames", "2"},
       {"method", "precision", "draw_calls", "document_draw_calls", "triangles", "select_ms", "frame_ms",
        "document_frame_ms", "visited", "select_ratio"});
-  if (!m_noDraw)
+  if (draws())
     add("submission", "Drawing: ways to send the same mesh", {"--frames", "15"},
         {"--frames", "2", "--largest", "64", "--px", "8"});
   add("quality", "Drawing: a frame-time goal under a changing load", {"--size", "480x320"},
       {"--no-draw", "--seconds", "2"});
+  parts.back().section.runs = TeQualityCommand::shownRuns();
   add("generation", "Generating", {}, {"--samples-log", "5", "--maps", "1", "--runs", "2"});
   add("normals", "Normals", {}, {"--samples-log", "6", "--levels", "3", "--runs", "2"});
   add("height", "Heights and rays", {}, {"--queries", "200", "--runs", "2"});
@@ -140,24 +126,23 @@ std::vector<TeAllCommand::Part> TeAllCommand::parts(const TeMeasuredTerrain& ter
 }
 
 int TeAllCommand::runPart(const Part& part) const {
-  std::vector<std::string> words = {m_commandLine.application()};
+  std::vector<std::string> words = {commandLine().application()};
   words.insert(words.end(), part.arguments.begin(), part.arguments.end());
-  const TeCommonOptions& common = m_commandLine.common();
   const auto more = [&](const char* option, const std::string& value) {
     if (std::find(words.begin(), words.end(), option) == words.end())
       words.insert(words.end(), {option, value});
   };
   words.push_back("--quiet");
-  more("--out", m_work);
-  more("--context", common.context);
-  more("--size", teFormat("%dx%d", common.width, common.height));
+  more("--out", folder());
+  more("--context", common().context);
+  more("--size", teFormat("%dx%d", common().width, common().height));
   std::vector<char*> arguments;
   for (std::string& word : words)
     arguments.push_back(word.data());
   return m_program(int(arguments.size()), arguments.data());
 }
 
-void TeAllCommand::introduce(const TeMeasuredTerrain& terrain, TeAccuracyPage& page) const {
+void TeAllCommand::introduce(TeAccuracyPage& page) const {
   page.addText("# What accuracy costs in time");
   page.addText(
       "Written by `terrane-accuracy all`; what it measures and how: "
@@ -165,57 +150,41 @@ void TeAllCommand::introduce(const TeMeasuredTerrain& terrain, TeAccuracyPage& p
       "to be compared within one part.");
   page.addText(
       teFormat("Terrain: %s, %d² samples, %g m apart, heights in steps of %.3g m. Machine: %s, %u cores.",
-               terrain.name.c_str(), terrain.cells() + 1, terrain.spacing(), terrain.heightScale(),
-               processor().c_str(), std::thread::hardware_concurrency()));
+               m_terrain->name.c_str(), m_terrain->cells() + 1, m_terrain->spacing(),
+               m_terrain->heightScale(), processor().c_str(), std::thread::hardware_concurrency()));
 }
 
-int TeAllCommand::run() {
-  const std::string& application = m_commandLine.application();
-  const bool quiet = m_commandLine.common().quiet;
-  TeAccuracyOutput output(m_commandLine, "all", m_work);
-  const TeResult<TeMeasuredTerrain> terrain = land();
-  if (!terrain)
-    return teExitWith(TeExitUsage, application, terrain.error().message);
-  if (const TeStatus ok = output.prepare(); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  std::error_code ignored;
-  if (!m_terrain.map.empty() && std::filesystem::equivalent(m_terrain.map, mapFile(*terrain), ignored))
-    return teExitWith(TeExitUsage, application, m_terrain.map + ": would be written over");
-  if (const TeStatus ok = writeMap(*terrain, mapFile(*terrain)); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-
-  using Clock = std::chrono::steady_clock;
-  const Clock::time_point begin = Clock::now();
-  const auto secondsSince = [](Clock::time_point start) {
-    return std::chrono::duration<double>(Clock::now() - start).count();
-  };
-  TeAccuracyPage page(m_work, m_folder);
-  introduce(*terrain, page);
+TeResult<TeTable> TeAllCommand::measure(TeAccuracyOutput& output) {
+  if (const TeStatus ok = writeMap(*m_terrain, mapFile()); !ok)
+    return ok.error();
+  const bool quiet = common().quiet;
+  const TeStopwatch all;
+  m_page.emplace(folder(), m_pageFolder);
+  introduce(*m_page);
   TeTable table({"part", "seconds", "status"});
-  std::string failed;
-  for (const Part& part : parts(*terrain)) {
-    const Clock::time_point start = Clock::now();
+  for (const Part& part : parts()) {
+    const std::string& name = part.section.name;
+    const TeStopwatch time;
     const int status = runPart(part);
-    table.addRow({part.name, secondsSince(start), std::int64_t(status)});
+    table.addRow({name, time.seconds(), std::int64_t(status)});
     if (!quiet)
-      std::printf("%s: %.1f s\n", part.name.c_str(), secondsSince(start));
-    const TeStatus ok = status == TeExitSuccess ? page.addSection(part.name, part.heading, part.columns)
-                                                : TeStatus(TeError{});
+      std::printf("%s: %.1f s\n", name.c_str(), time.seconds());
+    const TeStatus ok = status == TeExitSuccess ? m_page->addSection(part.section) : TeStatus(TeError{});
     if (!ok) {
-      failed += (failed.empty() ? "" : ", ") + part.name;
+      m_failed += (m_failed.empty() ? "" : ", ") + name;
       if (!ok.error().message.empty())
-        std::fprintf(stderr, "%s: %s\n", application.c_str(), ok.error().message.c_str());
+        std::fprintf(stderr, "%s: %s\n", commandLine().application().c_str(), ok.error().message.c_str());
     }
   }
-  page.addText(teFormat("Measured in %.0f s.", secondsSince(begin)));
+  m_page->addText(teFormat("Measured in %.0f s.", all.seconds()));
   if (!quiet)
-    std::printf("all: %.1f s\n", secondsSince(begin));
-  output.addTable(table);
-  if (const TeStatus ok = output.write(table); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  if (const TeStatus ok = page.write(); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  if (!failed.empty())
-    return teExitWith(TeExitFailure, application, "failed: " + failed);
-  return TeExitSuccess;
+    std::printf("all: %.1f s\n", all.seconds());
+  output.addText(table.markdown()); // what it says has been printed
+  return table;
+}
+
+TeStatus TeAllCommand::finish() {
+  if (const TeStatus ok = m_page->write(); !ok)
+    return ok;
+  return m_failed.empty() ? TeStatus() : TeStatus(TeError{"failed: " + m_failed});
 }

@@ -1,11 +1,9 @@
 #include "apps/terrane-accuracy/TeGenerationCommand.h"
 
-#include "apps/common/TeExit.h"
 #include "apps/common/TeProgressLine.h"
 #include "generators/base/TeText.h"
 
 #include <algorithm>
-#include <cstdio>
 
 namespace {
 
@@ -69,32 +67,14 @@ std::string wordsOf(const std::vector<TeGenerationFigures>& all) {
 } // namespace
 
 TeGenerationCommand::TeGenerationCommand(TeCommandLine& commandLine)
-    : m_commandLine(commandLine),
-      m_cli(commandLine.cli().add_subcommand(
-          "generation", "Measures what better maps cost: faults, iterations, levels, octaves, passes")) {
-  m_cli->fallthrough();
-  const std::string group = "Measuring";
-  m_cli->add_option("--generators", m_generators, "faults, circles, midpoint, noise, band (default: all)")
-      ->delimiter(',')
-      ->check(CLI::IsMember(kGenerators))
-      ->option_text("LIST")
-      ->group(group);
-  m_cli->add_option("--samples-log", m_samplesLog, "Maps of 2^N + 1 samples a side (default: 8)")
-      ->transform(TeCommandLine::wholeWithin(4, 11))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_option("--maps", m_effort.maps, "Maps that errors are measured over (default: 4)")
-      ->transform(TeCommandLine::wholeWithin(1, 1000))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_option("--runs", m_effort.runs, "Times that each map is timed (default: 9)")
-      ->transform(TeCommandLine::wholeWithin(1, 1000))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_option("--out", m_folder, "Folder for what is written (default: accuracy)")
-      ->check(TeCommandLine::notEmpty())
-      ->option_text("DIR")
-      ->group(group);
+    : TeAccuracyCommand(commandLine, "generation",
+                        "Measures what better maps cost: faults, iterations, levels, octaves, passes") {
+  addList("--generators", m_generators, CLI::IsMember(kGenerators),
+          "faults, circles, midpoint, noise, band (default: all)");
+  addInteger("--samples-log", m_samplesLog, 4, 11, "Maps of 2^N + 1 samples a side (default: 8)");
+  addInteger("--maps", m_effort.maps, 1, 1000, "Maps that errors are measured over (default: 4)");
+  addInteger("--runs", m_effort.runs, 1, 1000, "Times that each map is timed (default: 9)");
+  addOutput();
 }
 
 void TeGenerationCommand::addRow(const TeGenerationFigures& figures, TeTable& table) {
@@ -128,18 +108,13 @@ void TeGenerationCommand::describe(const std::vector<TeGenerationFigures>& figur
   output.addTable(table);
 }
 
-int TeGenerationCommand::run() {
-  const std::string& application = m_commandLine.application();
-  const bool quiet = m_commandLine.common().quiet;
-  TeAccuracyOutput output(m_commandLine, "generation", m_folder);
-  if (const TeStatus ok = output.prepare(); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
+TeResult<TeTable> TeGenerationCommand::measure(TeAccuracyOutput& output) {
   m_effort.samples = (1 << m_samplesLog) + 1;
   TeTable table({"generator", "dial", "value", "arithmetic", "reference", "ms", "low_ms", "high_ms", "ratio",
                  "rms_of_relief", "worst_of_relief", "spectrum_db"});
   std::vector<TeGenerationFigures> all;
   {
-    TeProgressLine progress("Generating", quiet);
+    TeProgressLine progress("Generating", common().quiet);
     const std::vector<TeGenerationDial> dials = teGenerationDials(m_effort.samples);
     for (std::size_t i = 0; i < dials.size(); ++i) {
       progress.update(double(i) / double(dials.size()));
@@ -153,9 +128,5 @@ int TeGenerationCommand::run() {
     }
   }
   describe(all, table, output);
-  if (!quiet)
-    std::fputs(table.markdown().c_str(), stdout);
-  if (const TeStatus ok = output.write(table); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  return TeExitSuccess;
+  return table;
 }

@@ -1,12 +1,8 @@
 #include "apps/terrane-accuracy/TeHeightCommand.h"
 
-#include "apps/common/TeExit.h"
 #include "apps/common/TeProgressLine.h"
-#include "apps/terrane-accuracy/TeSmoothLand.h"
 #include "generators/base/TeText.h"
 
-#include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 namespace {
@@ -84,46 +80,28 @@ std::string wordsOf(const std::vector<TeHeightFigures>& all, const TeHeightWorld
 } // namespace
 
 TeHeightCommand::TeHeightCommand(TeCommandLine& commandLine)
-    : m_commandLine(commandLine),
-      m_cli(commandLine.cli().add_subcommand("height",
-                                             "Measures heights and rays by level: errors, time and memory")) {
-  m_cli->fallthrough();
-  m_terrain.addTo(*m_cli);
-  const std::string group = "Measuring";
-  m_cli
-      ->add_option("--samples-log", m_samplesLog,
-                   "Mountains of 2^N + 1 samples a side if no file is given (default: 11)")
-      ->transform(TeCommandLine::wholeWithin(5, 12))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_option("--levels", m_levels, "Levels, as many as fit (default: 7)")
-      ->transform(TeCommandLine::wholeWithin(1, 9))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_option("--queries", m_queries, "Queries of each kind and level (default: 20000)")
-      ->transform(TeCommandLine::wholeWithin(1, 10000000))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_option("--runs", m_runs, "Times that they are timed (default: 9)")
-      ->transform(TeCommandLine::wholeWithin(1, 1000))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_option("--out", m_folder, "Folder for what is written (default: accuracy)")
-      ->check(TeCommandLine::notEmpty())
-      ->option_text("DIR")
-      ->group(group);
+    : TeAccuracyCommand(commandLine, "height",
+                        "Measures heights and rays by level: errors, time and memory") {
+  m_choice.addTo(cli());
+  addInteger("--samples-log", m_samplesLog, 5, 12,
+             "Mountains of 2^N + 1 samples a side if no file is given (default: 11)");
+  addInteger("--levels", m_levels, 1, 9, "Levels, as many as fit (default: 7)");
+  addInteger("--queries", m_queries, 1, 10000000, "Queries of each kind and level (default: 20000)");
+  addInteger("--runs", m_runs, 1, 1000, "Times that they are timed (default: 9)");
+  addOutput();
 }
 
-TeResult<TeMeasuredTerrain> TeHeightCommand::land() const {
-  if (!m_terrain.map.empty() || !m_terrain.dem.empty())
-    return m_terrain.read();
-  return TeMeasuredTerrain::create("mountains", teMountains((1 << m_samplesLog) + 1), TeSmoothLand::kSpacing,
-                                   1);
+TeStatus TeHeightCommand::read() {
+  if (const TeStatus ok = keep(m_choice.readOrMountains((1 << m_samplesLog) + 1), m_terrain); !ok)
+    return ok;
+  TeProgressLine progress("Making levels", common().quiet);
+  return keep(TeHeightWorld::create(*m_terrain, m_levels, [&](double done) { progress.update(done); }),
+              m_world);
 }
 
-void TeHeightCommand::describe(const TeMeasuredTerrain& terrain, const TeHeightWorld& world,
-                               const std::vector<TeHeightFigures>& all, const TeTable& table,
+void TeHeightCommand::describe(const std::vector<TeHeightFigures>& all, const TeTable& table,
                                TeAccuracyOutput& output) const {
+  const TeMeasuredTerrain& terrain = *m_terrain;
   output.json()["terrain"] = {{"name", std::filesystem::path(terrain.name).filename().string()},
                               {"samples", terrain.cells() + 1},
                               {"spacing_m", terrain.spacing()},
@@ -136,40 +114,21 @@ void TeHeightCommand::describe(const TeMeasuredTerrain& terrain, const TeHeightW
                           "is what the answers say of "
                           "themselves, in the mean, and `over` counts those that were farther off.",
                           terrain.cells() + 1, terrain.spacing(), TeHeightWorld::kCells, m_queries));
-  output.addText(wordsOf(all, world));
+  output.addText(wordsOf(all, *m_world));
   output.addPlot(errorPlot(all), "time");
-  output.addPlot(memoryPlot(all, world), "memory");
+  output.addPlot(memoryPlot(all, *m_world), "memory");
   output.addTable(table);
 }
 
-int TeHeightCommand::run() {
-  const std::string& application = m_commandLine.application();
-  const bool quiet = m_commandLine.common().quiet;
-  TeAccuracyOutput output(m_commandLine, "height", m_folder);
-  const TeResult<TeMeasuredTerrain> terrain = land();
-  if (!terrain)
-    return teExitWith(TeExitUsage, application, terrain.error().message);
-  if (const TeStatus ok = output.prepare(); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  TeResult<TeHeightWorld> world = [&] {
-    TeProgressLine progress("Making levels", quiet);
-    return TeHeightWorld::create(*terrain, m_levels, [&](double done) { progress.update(done); });
-  }();
-  if (!world)
-    return teExitWith(TeExitUsage, application, world.error().message);
-
+TeResult<TeTable> TeHeightCommand::measure(TeAccuracyOutput& output) {
   TeTable table({"query", "level", "queries", "ns", "low_ns", "high_ns", "ratio", "rms_m", "max_m", "bound_m",
                  "worst_bound_m", "over", "missed", "bytes_per_sample"});
-  const std::vector<TeHeightFigures> all = teMeasureHeights(*world, m_queries, m_runs);
+  const std::vector<TeHeightFigures> all = teMeasureHeights(*m_world, m_queries, m_runs);
   for (const TeHeightFigures& figures : all)
     table.addRow({std::string(teNameOf(figures.query)), std::int64_t(figures.level), figures.queries,
                   figures.ns.median, figures.ns.low, figures.ns.high, figures.ratio, figures.rms,
-                  figures.worst, figures.bound, world->worstDeviation(figures.level), figures.over,
-                  figures.missed, world->bytesPerSample(figures.level)});
-  describe(*terrain, *world, all, table, output);
-  if (!quiet)
-    std::fputs(table.markdown().c_str(), stdout);
-  if (const TeStatus ok = output.write(table); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  return TeExitSuccess;
+                  figures.worst, figures.bound, m_world->worstDeviation(figures.level), figures.over,
+                  figures.missed, m_world->bytesPerSample(figures.level)});
+  describe(all, table, output);
+  return table;
 }

@@ -1,16 +1,12 @@
 #include "apps/terrane-accuracy/TeInstancingCommand.h"
 
-#include "apps/common/TeExit.h"
 #include "apps/common/TeProgressLine.h"
 #include "apps/terrane-accuracy/TeLayoutText.h"
 #include "generators/base/TeText.h"
 
-#include <cstdio>
-
 namespace {
 
 constexpr int kFramesPerSecond = 30;
-constexpr int kDefaultFrames = 20 * kFramesPerSecond;
 constexpr double kMetresPerSecond = 500;
 constexpr double kClearance = 100; ///< metres
 constexpr double kFarDistance = 60000;
@@ -44,53 +40,42 @@ TeTable::Cell published(double precision, TeInstancingWay way, double Published:
 } // namespace
 
 TeInstancingCommand::TeInstancingCommand(TeCommandLine& commandLine)
-    : m_commandLine(commandLine),
-      m_cli(commandLine.cli().add_subcommand(
-          "instancing", "Measures instanced and classic drawing of Seamless Patches on a flight")) {
-  m_cli->fallthrough();
+    : TeAccuracyCommand(commandLine, "instancing",
+                        "Measures instanced and classic drawing of Seamless Patches on a flight") {
   const std::string group = "Terrain";
   CLI::Option* clipmaps =
-      m_cli->add_option("--clipmaps", m_clipmaps, "Height pyramid NAME_i.raw, seen through clipmaps")
+      cli()
+          .add_option("--clipmaps", m_clipmaps, "Height pyramid NAME_i.raw, seen through clipmaps")
           ->check(TeCommandLine::notEmpty())
           ->option_text("NAME")
           ->group(group);
-  m_cli
-      ->add_option("--map", m_map, "One map of 2^n + 1 samples a side of 16 bits, the first row in the south")
+  cli()
+      .add_option("--map", m_map, "One map of 2^n + 1 samples a side of 16 bits, the first row in the south")
       ->check(TeCommandLine::notEmpty())
       ->option_text("FILE.raw")
       ->excludes(clipmaps)
       ->group(group);
-  m_cli->add_option("--cells", m_cells, "Metres between samples (default: 10)")
-      ->check(TeCommandLine::within(1e-3, 1e6))
+  addNumber("--cells", m_cells, 1e-3, 1e6, "Metres between samples (default: 10)")
       ->option_text("METRES")
       ->group(group);
-  m_cli->add_option("--height-unit", m_heightUnit, "Metres of one step of the heights (default: 0.1)")
-      ->check(TeCommandLine::within(0, 1e6))
+  addNumber("--height-unit", m_heightUnit, 0, 1e6, "Metres of one step of the heights (default: 0.1)")
       ->option_text("METRES")
       ->group(group);
-  m_cli->add_option("--clip-size", m_clipSize, "Samples a side of a window (default: 513)")
-      ->transform(TeCommandLine::wholeWithin(TeClipWindows::kMinSize, TeClipWindows::kMaxSize))
-      ->option_text("N")
+  addInteger("--clip-size", m_clipSize, TeClipWindows::kMinSize, TeClipWindows::kMaxSize,
+             "Samples a side of a window (default: 513)")
       ->needs(clipmaps)
       ->group(group);
-  const std::string measuring = "Measuring";
-  m_cli
-      ->add_option_function<std::string>(
+  cli()
+      .add_option_function<std::string>(
           "--layout", [this](const std::string& text) { teReadLayout(text, m_minResolution, m_levels); },
           "Lowest resolution of a patch and number of resolutions (default: 16/3)")
       ->check(CLI::Validator(teCheckLayout, ""))
       ->option_text("LOWEST/LEVELS")
-      ->group(measuring);
-  m_cli->add_option("--precision", m_precisions, "The document's precision factors (default: 1,4)")
-      ->delimiter(',')
-      ->check(TeCommandLine::within(1, 1e4))
-      ->option_text("LIST")
-      ->group(measuring);
-  m_cli->add_flag("--no-draw", m_noDraw, "Measure selection only")->group(measuring);
-  m_cli->add_option("--out", m_folder, "Folder for what is written (default: accuracy)")
-      ->check(TeCommandLine::notEmpty())
-      ->option_text("DIR")
-      ->group(measuring);
+      ->group(kGroup);
+  addList("--precision", m_precisions, TeCommandLine::within(1, 1e4),
+          "The document's precision factors (default: 1,4)");
+  addNoDraw("Measure selection only");
+  addOutput();
 }
 
 TeResult<TeInstancingTerrain> TeInstancingCommand::open() const {
@@ -104,28 +89,34 @@ TeResult<TeInstancingTerrain> TeInstancingCommand::open() const {
   return TeInstancingTerrain::ofMap(std::move(*map));
 }
 
-TeFlyover TeInstancingCommand::flight(const TeInstancingTerrain& terrain) const {
+TeStatus TeInstancingCommand::read() {
+  if (const TeStatus ok = keep(open(), m_terrain); !ok)
+    return ok;
+  const TeResult<TeSeamlessLayout> layout =
+      TeSeamlessLayout::create(m_terrain->cells(), m_minResolution, m_levels);
+  return layout ? TeStatus() : TeStatus(layout.error());
+}
+
+TeFlyover TeInstancingCommand::flight() const {
   constexpr double kDegreesARadian = 57.29577951308232;
-  TeFlyover flight = terrain.flyover();
+  TeFlyover flight = m_terrain->flyover();
   flight.clearance = kClearance;
   flight.farDistance = kFarDistance;
-  flight.width = m_commandLine.common().width;
-  flight.height = m_commandLine.common().height;
+  flight.width = common().width;
+  flight.height = common().height;
   flight.anglePerFrame =
       kDegreesARadian * kMetresPerSecond / kFramesPerSecond / (flight.radius * flight.cells * flight.spacing);
   return flight;
 }
 
-int TeInstancingCommand::frames() const {
-  return m_commandLine.common().frames > 0 ? m_commandLine.common().frames : kDefaultFrames;
-}
+int TeInstancingCommand::frames() const { return framesOr(20 * kFramesPerSecond); }
 
-std::vector<int> TeInstancingCommand::resolutions(const TeInstancingTerrain& terrain) const {
+std::vector<int> TeInstancingCommand::resolutions() const {
   // A quarter as many samples, where files have them.
-  const int coarse = terrain.cells() / 4;
-  if (terrain.clipSize() > 0 && coarse + 1 > terrain.clipSize())
-    return {terrain.cells(), coarse};
-  return {terrain.cells()};
+  const int coarse = m_terrain->cells() / 4;
+  if (m_terrain->clipSize() > 0 && coarse + 1 > m_terrain->clipSize())
+    return {m_terrain->cells(), coarse};
+  return {m_terrain->cells()};
 }
 
 void TeInstancingCommand::addRow(TeInstancingWay way, int resolution, double precision,
@@ -162,27 +153,25 @@ void TeInstancingCommand::addRow(TeInstancingWay way, int resolution, double pre
                 ofFrames(figures.uploadBytes)});
 }
 
-TeStatus TeInstancingCommand::measure(const TeInstancingTerrain& terrain, TeFlightStage* stage,
-                                      TeTable& table) const {
-  const TeFlyover flight = this->flight(terrain);
-  for (const int resolution : resolutions(terrain)) {
+TeStatus TeInstancingCommand::fly(TeFlightStage* stage, TeTable& table) const {
+  const TeFlyover flight = this->flight();
+  for (const int resolution : resolutions()) {
     const TeResult<TeSeamlessLayout> layout = TeSeamlessLayout::create(resolution, m_minResolution, m_levels);
     if (!layout)
       return layout.error();
     TeResult<std::shared_ptr<const TeSeamlessBounds>> bounds = [&] {
-      TeProgressLine progress("Measuring heights", m_commandLine.common().quiet);
-      return terrain.bounds(*layout, [&](double done) {
+      TeProgressLine progress("Measuring heights", common().quiet);
+      return m_terrain->bounds(*layout, [&](double done) {
         progress.update(done);
         return true;
       });
     }();
     if (!bounds)
       return bounds.error();
-    const TeInstancingSweep sweep(terrain, *bounds, flight, frames());
-    TeFlightStage* shown = resolution == terrain.cells() ? stage : nullptr;
+    const TeInstancingSweep sweep(*m_terrain, *bounds, flight, frames());
+    TeFlightStage* shown = resolution == m_terrain->cells() ? stage : nullptr;
     for (const double precision : m_precisions) {
-      TeProgressLine progress(teFormat("Flying, %d, precision %g", resolution, precision),
-                              m_commandLine.common().quiet);
+      TeProgressLine progress(teFormat("Flying, %d, precision %g", resolution, precision), common().quiet);
       const auto step = [&](int frame) { progress.update(double(frame) / frames()); };
       const TeResult<TeSelectionFigures> chosen = sweep.select(precision, step);
       if (!chosen)
@@ -201,9 +190,10 @@ TeStatus TeInstancingCommand::measure(const TeInstancingTerrain& terrain, TeFlig
   return {};
 }
 
-void TeInstancingCommand::describe(const TeInstancingTerrain& terrain, const TeFlightStage* stage,
-                                   const TeTable& table, TeAccuracyOutput& output) const {
-  const TeFlyover flight = this->flight(terrain);
+void TeInstancingCommand::describe(const TeFlightStage* stage, const TeTable& table,
+                                   TeAccuracyOutput& output) const {
+  const TeInstancingTerrain& terrain = *m_terrain;
+  const TeFlyover flight = this->flight();
   auto& json = output.json();
   json["terrain"] = {{"name", terrain.name()},
                      {"samples", terrain.cells() + 1},
@@ -229,28 +219,10 @@ void TeInstancingCommand::describe(const TeInstancingTerrain& terrain, const TeF
   output.addTable(table);
 }
 
-int TeInstancingCommand::run() {
-  const std::string& application = m_commandLine.application();
-  const TeCommonOptions& common = m_commandLine.common();
-  TeAccuracyOutput output(m_commandLine, "instancing", m_folder);
-  const TeResult<TeInstancingTerrain> terrain = open();
-  if (!terrain)
-    return teExitWith(TeExitUsage, application, terrain.error().message);
-  if (const TeResult<TeSeamlessLayout> layout =
-          TeSeamlessLayout::create(terrain->cells(), m_minResolution, m_levels);
-      !layout)
-    return teExitWith(TeExitUsage, application, layout.error().message);
-  if (const TeStatus ok = output.prepare(); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  std::unique_ptr<TeFlightStage> stage;
-  if (!m_noDraw) {
-    TeResult<std::unique_ptr<TeFlightStage>> made =
-        TeFlightStage::create(*teContextKind(common.context), common.width, common.height);
-    if (!made)
-      return teExitWith(TeExitFailure, application, made.error().message);
-    stage = std::move(*made);
-  }
-
+TeResult<TeTable> TeInstancingCommand::measure(TeAccuracyOutput& output) {
+  const TeResult<std::unique_ptr<TeFlightStage>> stage = makeStage();
+  if (!stage)
+    return stage.error();
   TeTable table({"method",
                  "resolution",
                  "precision",
@@ -274,12 +246,8 @@ int TeInstancingCommand::run() {
                  "plain_ns_a_visited",
                  "select_ratio",
                  "upload_bytes"});
-  if (const TeStatus ok = measure(*terrain, stage.get(), table); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  describe(*terrain, stage.get(), table, output);
-  if (!common.quiet)
-    std::fputs(table.markdown().c_str(), stdout);
-  if (const TeStatus ok = output.write(table); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  return TeExitSuccess;
+  if (const TeStatus ok = fly(stage->get(), table); !ok)
+    return ok.error();
+  describe(stage->get(), table, output);
+  return table;
 }

@@ -1,36 +1,27 @@
 #pragma once
 
-#include "apps/common/TeCommandLine.h"
-#include "apps/terrane-accuracy/TeAccuracyOutput.h"
+#include "apps/terrane-accuracy/TeAccuracyCommand.h"
 #include "apps/terrane-accuracy/TeInstancingSweep.h"
 
-#include <optional>
-#include <string>
-#include <vector>
-
 /// `terrane-accuracy instancing`: Table 6.1 of document 004 measured again, with what selection costs.
-class TeInstancingCommand {
+class TeInstancingCommand : public TeAccuracyCommand {
 public:
   explicit TeInstancingCommand(TeCommandLine& commandLine);
 
-  CLI::App& cli() { return *m_cli; }
-  /// Measures and writes instancing.csv, instancing.json and instancing.md. Returns the exit status.
-  int run();
-
 private:
+  TeStatus read() override;
+  TeResult<TeTable> measure(TeAccuracyOutput& output) override;
   TeResult<TeInstancingTerrain> open() const;
-  TeFlyover flight(const TeInstancingTerrain& terrain) const;
+  TeFlyover flight() const;
   int frames() const;
   /// Resolutions to be measured, the terrain's own first; only that is drawn.
-  std::vector<int> resolutions(const TeInstancingTerrain& terrain) const;
+  std::vector<int> resolutions() const;
   static void addRow(TeInstancingWay way, int resolution, double precision, const TeSelectionFigures& chosen,
                      const std::optional<TeByWay<TeDrawingFigures>>& drawn, TeTable& table);
-  TeStatus measure(const TeInstancingTerrain& terrain, TeFlightStage* stage, TeTable& table) const;
-  void describe(const TeInstancingTerrain& terrain, const TeFlightStage* stage, const TeTable& table,
-                TeAccuracyOutput& output) const;
+  /// `stage` null: nothing is drawn.
+  TeStatus fly(TeFlightStage* stage, TeTable& table) const;
+  void describe(const TeFlightStage* stage, const TeTable& table, TeAccuracyOutput& output) const;
 
-  TeCommandLine& m_commandLine;
-  CLI::App* m_cli;
   std::string m_clipmaps;
   std::string m_map;
   double m_cells = 10;
@@ -39,6 +30,5 @@ private:
   int m_minResolution = 16;
   int m_levels = 3;
   std::vector<double> m_precisions = {1, 4};
-  bool m_noDraw = false;
-  std::string m_folder = "accuracy";
+  std::optional<TeInstancingTerrain> m_terrain;
 };

@@ -24,6 +24,12 @@ int fitting(std::int64_t samples) {
 
 } // namespace
 
+TeMapRect TeMeasuredTerrain::middle(int samples) const {
+  const int side = std::min(samples, heights().width());
+  const int first = (heights().width() - side) / 2;
+  return {first, first, side, side};
+}
+
 TeFlyover TeMeasuredTerrain::flyover() const {
   TeFlyover flight;
   flight.cells = cells();

@@ -17,6 +17,8 @@ struct TeMeasuredTerrain {
   int cells() const { return field->cells(); }
   double spacing() const { return field->spacing(); }
   double heightScale() const { return field->heightScale(); }
+  /// Of the heights: so many samples a side, or all if there are fewer.
+  TeMapRect middle(int samples) const;
   /// The peers' flight over this terrain.
   TeFlyover flyover() const;
 

@@ -1,12 +1,10 @@
 #include "apps/terrane-accuracy/TeNormalsCommand.h"
 
-#include "apps/common/TeExit.h"
 #include "apps/common/TeProgressLine.h"
 #include "apps/terrane-accuracy/TeSmoothLand.h"
 #include "generators/base/TeText.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 
 namespace {
@@ -80,55 +78,29 @@ std::string wordsOf(const std::vector<TeNormalsFigures>& all, const TeNormalsTer
 } // namespace
 
 TeNormalsCommand::TeNormalsCommand(TeCommandLine& commandLine)
-    : m_commandLine(commandLine),
-      m_cli(commandLine.cli().add_subcommand(
-          "normals", "Measures angle errors of normals against time, by way and level")) {
-  m_cli->fallthrough();
-  m_terrain.addTo(*m_cli);
-  const std::string group = "Measuring";
-  m_cli->add_option("--samples-log", m_samplesLog, "Look at the middle 2^N + 1 samples a side (default: 9)")
-      ->transform(TeCommandLine::wholeWithin(4, 12))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_option("--levels", m_levels, "Levels, 0 being that of all samples (default: 6)")
-      ->transform(TeCommandLine::wholeWithin(1, 10))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_option("--runs", m_runs, "Times that each is timed (default: 9)")
-      ->transform(TeCommandLine::wholeWithin(1, 1000))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_option("--out", m_folder, "Folder for what is written (default: accuracy)")
-      ->check(TeCommandLine::notEmpty())
-      ->option_text("DIR")
-      ->group(group);
+    : TeAccuracyCommand(commandLine, "normals",
+                        "Measures angle errors of normals against time, by way and level") {
+  m_choice.addTo(cli());
+  addInteger("--samples-log", m_samplesLog, 4, 12, "Look at the middle 2^N + 1 samples a side (default: 9)");
+  addInteger("--levels", m_levels, 1, 10, "Levels, 0 being that of all samples (default: 6)");
+  addInteger("--runs", m_runs, 1, 1000, "Times that each is timed (default: 9)");
+  addOutput();
 }
 
-TeResult<TeHeightMap> TeNormalsCommand::land(std::string& name, double& spacing) const {
-  const int samples = (1 << m_samplesLog) + 1;
-  if (m_terrain.map.empty() && m_terrain.dem.empty()) {
-    name = "mountains";
-    spacing = TeSmoothLand::kSpacing;
-    return teMountains(samples);
-  }
-  const TeResult<TeMeasuredTerrain> terrain = m_terrain.read();
+TeStatus TeNormalsCommand::read() {
+  const TeResult<TeMeasuredTerrain> terrain = m_choice.readOrMountains(samples());
   if (!terrain)
     return terrain.error();
-  name = std::filesystem::path(terrain->name).filename().string();
-  spacing = terrain->spacing();
-  const int side = std::min(samples, terrain->heights().width());
-  const int first = (terrain->heights().width() - side) / 2;
-  TeResult<TeHeightMap> map = TeHeightMap::create(side, side);
-  if (map)
-    if (const TeStatus ok = map->addScaled(terrain->heights(), float(terrain->heightScale()),
-                                           {first, first, side, side}, map->bounds());
-        !ok)
-      return ok.error();
-  return map;
+  m_name = std::filesystem::path(terrain->name).filename().string();
+  m_spacing = terrain->spacing();
+  const TeMapRect middle = terrain->middle(samples());
+  if (const TeStatus ok = keep(TeHeightMap::create(middle.width, middle.height), m_map); !ok)
+    return ok;
+  return m_map->addScaled(terrain->heights(), float(terrain->heightScale()), middle, m_map->bounds());
 }
 
-void TeNormalsCommand::measure(const TeNormalsTerrain& terrain, TeTable& table, std::string& words,
-                               Plots& plots) const {
+void TeNormalsCommand::measureOn(const TeNormalsTerrain& terrain, TeTable& table, std::string& words,
+                                 Plots& plots) const {
   const std::vector<TeNormalsFigures> all = teMeasureNormals(terrain, m_levels, m_runs);
   for (const TeNormalsFigures& figures : all)
     table.addRow({terrain.name, std::string(teNameOf(figures.way)), std::int64_t(figures.level),
@@ -141,49 +113,35 @@ void TeNormalsCommand::measure(const TeNormalsTerrain& terrain, TeTable& table, 
   plots.push_back({suffix + "_levels", byLevel(all, terrain)});
 }
 
-int TeNormalsCommand::run() {
-  const std::string& application = m_commandLine.application();
-  const bool quiet = m_commandLine.common().quiet;
-  TeAccuracyOutput output(m_commandLine, "normals", m_folder);
-  std::string name;
-  double spacing = 1;
-  const TeResult<TeHeightMap> map = land(name, spacing);
-  if (!map)
-    return teExitWith(TeExitUsage, application, map.error().message);
-  if (const TeStatus ok = output.prepare(); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-
+TeResult<TeTable> TeNormalsCommand::measure(TeAccuracyOutput& output) {
   TeTable table({"terrain", "way", "level", "data", "vertices", "ns", "low_ns", "high_ns", "ratio",
                  "vertex_mean_deg", "vertex_max_deg", "mean_deg", "max_deg"});
   const TeSmoothLand formula;
-  const TeHeightMap smooth = formula.heights((1 << m_samplesLog) + 1);
+  const TeHeightMap smooth = formula.heights(samples());
   std::string words;
   Plots plots;
   {
-    TeProgressLine progress("Measuring normals", quiet);
-    measure({"formula", "against its derivatives", &smooth, TeSmoothLand::kSpacing,
-             [&](int column, int row) { return formula.normal(column, row); }},
-            table, words, plots);
+    TeProgressLine progress("Measuring normals", common().quiet);
+    measureOn({"formula", "against its derivatives", &smooth, TeSmoothLand::kSpacing,
+               [&](int column, int row) { return formula.normal(column, row); }},
+              table, words, plots);
     progress.update(0.5);
-    measure(
-        {name, "against the angle-weighted mean of the six triangles at a sample", &*map, spacing,
-         [&](int column, int row) { return teNormalBy(TeNormalWay::Angle, *map, column, row, 1, spacing); }},
-        table, words, plots);
+    measureOn({m_name, "against the angle-weighted mean of the six triangles at a sample", &*m_map, m_spacing,
+               [&](int column, int row) {
+                 return teNormalBy(TeNormalWay::Angle, *m_map, column, row, 1, m_spacing);
+               }},
+              table, words, plots);
   }
-  output.json()["terrain"] = {{"name", name}, {"samples", map->width()}, {"spacing_m", spacing}};
+  output.json()["terrain"] = {{"name", m_name}, {"samples", m_map->width()}, {"spacing_m", m_spacing}};
   output.addText(
       teFormat("%d² samples. Level L has a vertex every 2^L samples. `data`: normals from all samples "
                "(`fine`, what the engine carries to coarse levels) or from the level's own vertices. "
                "`vertex_*`: angles from the true normal at the vertices; the others at all samples, "
                "normals between vertices interpolated as when they are drawn.",
-               map->width()));
+               m_map->width()));
   output.addText(words);
   for (const auto& [suffix, plot] : plots)
     output.addPlot(plot, suffix);
   output.addTable(table);
-  if (!quiet)
-    std::fputs(table.markdown().c_str(), stdout);
-  if (const TeStatus ok = output.write(table); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  return TeExitSuccess;
+  return table;
 }

@@ -1,12 +1,11 @@
 #include "apps/terrane-accuracy/TeQualityCommand.h"
 
-#include "apps/common/TeExit.h"
 #include "apps/common/TeProgressLine.h"
 #include "apps/terrane-accuracy/TeQualityPlant.h"
 #include "generators/base/TeText.h"
 
+#include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace {
 
@@ -24,37 +23,24 @@ std::vector<TeQualityTrace::Step> stepsOf(const std::vector<double>& loads, doub
 } // namespace
 
 TeQualityCommand::TeQualityCommand(TeCommandLine& commandLine)
-    : m_commandLine(commandLine),
-      m_cli(commandLine.cli().add_subcommand(
-          "quality", "Shows how a frame-time goal is held by choosing the error under changing load")) {
-  m_cli->fallthrough();
-  const std::string group = "Measuring";
-  m_cli->add_option("--radius", m_radius, "Patches around the middle one of the flight (default: 6)")
-      ->transform(TeCommandLine::wholeWithin(1, TeEngine::kMaxRadius))
-      ->option_text("N")
-      ->group(group);
-  m_cli->add_option("--fps", m_rate, "Wanted frames a second (default: what can be held under both loads)")
-      ->check(TeCommandLine::within(1, 1000))
-      ->option_text("X")
-      ->group(group);
-  m_cli->add_option("--load", m_load, "How often the scene is drawn in the middle of the flight (default: 2)")
-      ->check(TeCommandLine::within(2, 16))
-      ->option_text("X")
-      ->group(group);
-  m_cli->add_option("--seconds", m_seconds, "Of each load (default: 4)")
-      ->check(TeCommandLine::within(2, 600))
-      ->option_text("X")
-      ->group(group);
-  m_cli->add_flag("--no-draw", m_noDraw, "The simulation only")->group(group);
-  m_cli->add_option("--out", m_folder, "Folder for what is written (default: accuracy)")
-      ->check(TeCommandLine::notEmpty())
-      ->option_text("DIR")
-      ->group(group);
+    : TeAccuracyCommand(commandLine, "quality",
+                        "Shows how a frame-time goal is held by choosing the error under changing load") {
+  addInteger("--radius", m_radius, 1, TeEngine::kMaxRadius,
+             "Patches around the middle one of the flight (default: 6)");
+  addNumber("--fps", m_rate, 1, 1000, "Wanted frames a second (default: what can be held under both loads)");
+  addNumber("--load", m_load, 2, 16, "How often the scene is drawn in the middle of the flight (default: 2)");
+  addNumber("--seconds", m_seconds, 2, 600, "Of each load (default: 4)");
+  addNoDraw("The simulation only");
+  addOutput();
+}
+
+const std::vector<std::string>& TeQualityCommand::shownRuns() {
+  static const std::vector<std::string> names = {"drawn", "simulated, exponent 1"};
+  return names;
 }
 
 TeResult<TeQualityTrace> TeQualityCommand::drawn(TeAccuracyOutput& output) const {
-  const TeCommonOptions& common = m_commandLine.common();
-  TeResult<std::unique_ptr<TeQualityFlight>> flight = TeQualityFlight::create(common, m_radius);
+  TeResult<std::unique_ptr<TeQualityFlight>> flight = TeQualityFlight::create(common(), m_radius);
   if (!flight)
     return flight.error();
   double rate = m_rate;
@@ -65,7 +51,7 @@ TeResult<TeQualityTrace> TeQualityCommand::drawn(TeAccuracyOutput& output) const
     rate = *found;
   }
   const std::vector<TeQualityTrace::Step> steps = stepsOf({1, std::round(m_load), 1}, m_seconds);
-  TeProgressLine progress("Flying", common.quiet);
+  TeProgressLine progress("Flying", common().quiet);
   TeResult<TeQualityTrace> trace =
       (*flight)->run(rate, steps, [&](double seconds) { progress.update(seconds / steps.back().end); });
   if (!trace)
@@ -79,7 +65,7 @@ TeResult<TeQualityTrace> TeQualityCommand::drawn(TeAccuracyOutput& output) const
   output.addText(
       teFormat("Drawn: the engine's terrain, %d × %d patches, from a traveller at 2 m/s, %d×%d "
                "pixels, by ",
-               2 * m_radius + 1, 2 * m_radius + 1, common.width, common.height) +
+               2 * m_radius + 1, 2 * m_radius + 1, common().width, common().height) +
       (*flight)->renderer() +
       ((*flight)->byCpu() ? "; times are CPU time of all threads, as that is what draws here" : "") +
       teFormat("; goal %.1f frames a second, of which drawing gets %.1f ms. The load is how often the "
@@ -91,7 +77,7 @@ TeResult<TeQualityTrace> TeQualityCommand::drawn(TeAccuracyOutput& output) const
 
 TeResult<std::vector<TeQualityTrace>> TeQualityCommand::traces(TeAccuracyOutput& output) const {
   std::vector<TeQualityTrace> traces;
-  if (!m_noDraw) {
+  if (draws()) {
     TeResult<TeQualityTrace> trace = drawn(output);
     if (!trace)
       return trace.error();
@@ -159,27 +145,15 @@ void TeQualityCommand::addPlots(const TeQualityTrace& trace, const std::string& 
   output.addPlot(errors, suffix + "_error");
 }
 
-int TeQualityCommand::run() {
-  const std::string& application = m_commandLine.application();
-  const TeCommonOptions& common = m_commandLine.common();
-  TeAccuracyOutput output(m_commandLine, "quality", m_folder);
-  if (const TeStatus ok = output.prepare(); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
+TeResult<TeTable> TeQualityCommand::measure(TeAccuracyOutput& output) {
   const TeResult<std::vector<TeQualityTrace>> traces = this->traces(output);
   if (!traces)
-    return teExitWith(TeExitFailure, application, traces.error().message);
+    return traces.error();
   const TeTable summary = summaryOf(*traces);
   output.json()["steps"] = summary.json();
   output.addTable(summary);
-  for (const TeQualityTrace& trace : *traces) {
-    if (trace.name == "drawn")
-      addPlots(trace, "drawn", output);
-    else if (&trace == &traces->back() - 2)
-      addPlots(trace, "simulated", output);
-  }
-  if (!common.quiet)
-    std::fputs(summary.markdown().c_str(), stdout);
-  if (const TeStatus ok = output.write(tableOf(*traces)); !ok)
-    return teExitWith(TeExitFailure, application, ok.error().message);
-  return TeExitSuccess;
+  for (const TeQualityTrace& trace : *traces)
+    if (std::find(shownRuns().begin(), shownRuns().end(), trace.name) != shownRuns().end())
+      addPlots(trace, trace.name.substr(0, trace.name.find(',')), output);
+  return tableOf(*traces);
 }

@@ -1,5 +1,7 @@
 #include "apps/terrane-accuracy/TeTerrainChoice.h"
 
+#include "apps/terrane-accuracy/TeSmoothLand.h"
+
 void TeTerrainChoice::addTo(CLI::App& command) {
   const std::string group = "Terrain";
   CLI::Option* file =
@@ -39,4 +41,10 @@ TeResult<TeMeasuredTerrain> TeTerrainChoice::read() const {
     return TeMeasuredTerrain::readDem(dem, *options);
   }
   return TeError{"--map or --dem is required"};
+}
+
+TeResult<TeMeasuredTerrain> TeTerrainChoice::readOrMountains(int samples) const {
+  if (!map.empty() || !dem.empty())
+    return read();
+  return TeMeasuredTerrain::create("mountains", teMountains(samples), TeSmoothLand::kSpacing, 1);
 }

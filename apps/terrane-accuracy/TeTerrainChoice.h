@@ -16,4 +16,6 @@ struct TeTerrainChoice {
   void addTo(CLI::App& command);
   /// Error: none or two given, a file that cannot be used.
   TeResult<TeMeasuredTerrain> read() const;
+  /// Mountains of so many samples a side if none is given.
+  TeResult<TeMeasuredTerrain> readOrMountains(int samples) const;
 };

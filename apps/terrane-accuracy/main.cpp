@@ -1,7 +1,7 @@
 // terrane-accuracy: what accuracy costs in time.
 
 #include "apps/common/TeAppLog.h"
-#include "apps/common/TeCommandLine.h"
+#include "apps/common/TeExit.h"
 #include "apps/terrane-accuracy/TeAllCommand.h"
 #include "apps/terrane-accuracy/TeGenerationCommand.h"
 #include "apps/terrane-accuracy/TeHeightCommand.h"
@@ -27,17 +27,10 @@ extern "C" int teMain(int argc, char** argv) {
     return *status;
   teStartAppLog(commandLine.application(), commandLine.common().quiet);
   TeNodes::init();
-  if (submission.cli().parsed())
-    return submission.run();
-  if (quality.cli().parsed())
-    return quality.run();
-  if (all.cli().parsed())
-    return all.run();
-  if (generation.cli().parsed())
-    return generation.run();
-  if (normals.cli().parsed())
-    return normals.run();
-  if (height.cli().parsed())
-    return height.run();
-  return instancing.cli().parsed() ? instancing.run() : lod.run();
+  TeAccuracyCommand* const commands[] = {&instancing, &lod,     &quality, &submission,
+                                         &generation, &normals, &height,  &all};
+  for (TeAccuracyCommand* command : commands)
+    if (command->isChosen())
+      return command->run();
+  return TeExitUsage; // not reached: one is required
 }

@@ -1,10 +1,11 @@
 #include "apps/terrane-static/TeStaticDrawing.h"
 
+#include "apps/common/TeScreenshots.h"
+#include "apps/common/TeStopwatch.h"
 #include "nodes/TeSceneRenderer.h"
 #include "nodes/context/TeViewer.h"
 
 #include <algorithm>
-#include <chrono>
 
 namespace {
 
@@ -42,11 +43,11 @@ TeResult<Drawn> drawWithoutWindow(SoNode* scene, TeContextKind kind, const TeCom
   drawn.renderer = (*context)->renderer();
   drawn.frames = std::max(1, options.frames);
   for (int frame = 1; frame <= drawn.frames; ++frame) {
-    const auto start = std::chrono::steady_clock::now();
+    const TeStopwatch time;
     TeResult<TePicture> picture = (*renderer)->render(scene);
     if (!picture)
       return picture.error();
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    const double seconds = time.seconds();
     drawn.meanSeconds += (seconds - drawn.meanSeconds) / frame;
     drawn.longestSeconds = std::max(drawn.longestSeconds, seconds);
     drawn.picture = std::move(*picture);
@@ -70,8 +71,5 @@ TeStatus teDrawStatic(SoNode* scene, const TeCommonOptions& options, TeReport& r
   json["frames"] = drawn->frames;
   report.addTime("frame_mean", drawn->meanSeconds);
   report.addTime("frame_longest", drawn->longestSeconds);
-  if (drawn->picture.rgba.empty())
-    return {};
-  report.addPicture(drawn->picture);
-  return options.offscreen.empty() ? TeStatus() : drawn->picture.writePng(options.offscreen);
+  return teKeepPicture(drawn->picture, options, report);
 }

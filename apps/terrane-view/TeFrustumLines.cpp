@@ -1,11 +1,10 @@
 #include "apps/terrane-view/TeFrustumLines.h"
 
+#include "nodes/TeOverlay.h"
+
 #include <Inventor/nodes/SoBaseColor.h>
 #include <Inventor/nodes/SoDrawStyle.h>
-#include <Inventor/nodes/SoEnvironment.h>
 #include <Inventor/nodes/SoIndexedLineSet.h>
-#include <Inventor/nodes/SoLightModel.h>
-#include <Inventor/nodes/SoPickStyle.h>
 
 namespace {
 
@@ -17,20 +16,11 @@ constexpr float kWidth = 2; ///< pixels
 
 TeFrustumLines::TeFrustumLines() : m_switch(new SoSwitch), m_points(new SoCoordinate3) {
   auto* lines = new SoSeparator;
-  auto* unlit = new SoLightModel;
-  unlit->model = SoLightModel::BASE_COLOR;
-  lines->addChild(unlit);
-  auto* fog = new SoEnvironment;
-  fog->fogType = SoEnvironment::NONE;
-  lines->addChild(fog);
-  auto* picking = new SoPickStyle;
-  picking->style = SoPickStyle::UNPICKABLE;
-  lines->addChild(picking);
+  teAddSignState(*lines);
   auto* colour = new SoBaseColor;
   colour->rgb = kColour;
   lines->addChild(colour);
   auto* style = new SoDrawStyle;
-  style->style = SoDrawStyle::FILLED;
   style->lineWidth = kWidth;
   lines->addChild(style);
   lines->addChild(m_points);

@@ -46,7 +46,8 @@ template <class Field, class Value> void set(Field& field, const Value& value) {
 } // namespace
 
 TeSeamlessNodes::TeSeamlessNodes(SoNode* scene, const TeViewOptions& options)
-    : m_nodes(allOf<Node>(scene)), m_shapes(allOf<SoTeLodShape>(scene)) {
+    : m_nodes(allOf<Node>(scene)), m_lodTerrains(allOf<SoTeLodTerrain>(scene)),
+      m_shapes(allOf<SoTeLodShape>(scene)) {
   if (options.precision)
     setPrecision(*options.precision);
   if (options.pixelError)

@@ -2,7 +2,7 @@
 
 #include "apps/terrane-view/TeViewOptions.h"
 #include "nodes/TeNodePtr.h"
-#include "nodes/lod/SoTeLodShape.h"
+#include "nodes/lod/SoTeLodTerrain.h"
 #include "nodes/seamless/SoTeSeamlessPatches.h"
 
 #include <string>
@@ -19,6 +19,7 @@ public:
   TeSeamlessNodes(SoNode* scene, const TeViewOptions& options);
 
   bool any() const { return !m_nodes.empty(); }
+  const std::vector<TeNodePtr<SoTeLodTerrain>>& lodTerrains() const { return m_lodTerrains; }
   /// Of the last frame: counts, bytes and times summed up, the largest error bound and precision.
   TeSeamlessStatistics statistics() const;
   /// Whether the next frame would be finer.
@@ -43,5 +44,6 @@ public:
 
 private:
   std::vector<TeNodePtr<SoTeSeamlessPatches>> m_nodes;
-  std::vector<TeNodePtr<SoTeLodShape>> m_shapes; ///< those and others
+  std::vector<TeNodePtr<SoTeLodTerrain>> m_lodTerrains;
+  std::vector<TeNodePtr<SoTeLodShape>> m_shapes; ///< those and these, and others
 };

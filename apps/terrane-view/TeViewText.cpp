@@ -17,6 +17,10 @@ std::string grouped(std::int64_t number) {
   return digits;
 }
 
+std::string boundText(double pixels, const char* none) {
+  return std::isfinite(pixels) ? teFormat("at most %.2f px", pixels) : std::string(none);
+}
+
 std::string settings(const TeSeamlessNodes& nodes) {
   const std::string accuracy = nodes.pixelError() > 0 ? teFormat("error %.2f px wanted", nodes.pixelError())
                                                       : teFormat("precision %.2f", nodes.precision());
@@ -36,16 +40,35 @@ std::vector<std::string> teViewLines(const TeSeamlessNodes& nodes, const TeViewP
     lines.push_back("patches     " + grouped(figures.traversed) + " traversed, " + grouped(figures.culled) +
                     " culled, " + grouped(figures.rendered) + " rendered");
     lines.push_back("uploaded    " + grouped(figures.bytesUploaded) + " bytes");
-    const std::string bound = std::isfinite(figures.errorBound)
-                                  ? teFormat("at most %.2f px", figures.errorBound)
-                                  : std::string("not known");
-    lines.push_back("error       " + bound + teFormat("  (precision %.2f)", figures.precision));
+    lines.push_back("error       " + boundText(figures.errorBound, "not known") +
+                    teFormat("  (precision %.2f)", figures.precision));
     lines.push_back("wanted      " + settings(nodes));
+  }
+  for (const TeNodePtr<SoTeLodTerrain>& node : nodes.lodTerrains()) {
+    const std::vector<std::string> more = teLodLines(*node, node->statistics());
+    lines.insert(lines.end(), more.begin(), more.end());
   }
   lines.push_back(teFormat("eye         %.1f  %.1f  %.1f", pose.eye.x, pose.eye.y, pose.eye.z));
   if (frameSeconds > 0)
     lines.push_back(teFormat("frame       %.1f ms", 1000 * frameSeconds));
   return lines;
+}
+
+std::vector<std::string> teLodLines(const SoTeLodTerrain& node, const TeLodStatistics& figures) {
+  std::string error = boundText(figures.errorBound, "no bound");
+  if (std::isfinite(figures.dial))
+    error += teFormat("  (dial %.4g)", figures.dial);
+  const double dial = double(node.dial.getValue());
+  std::string wanted =
+      dial > 0 ? teFormat("dial %.4g", dial) : teFormat("error %.2f px", double(node.pixelError.getValue()));
+  if (node.geomorph.getValue())
+    wanted += "  geomorph";
+  return {"method      " + std::string(node.method.getValue().getString()),
+          "triangles   " + grouped(figures.triangles),
+          "draw calls  " + grouped(figures.drawCalls),
+          "uploaded    " + grouped(figures.bytesUploaded) + " bytes",
+          "error       " + error,
+          "wanted      " + wanted};
 }
 
 std::vector<std::string> teViewHelp() {

@@ -1,8 +1,8 @@
 #include "apps/terrane-view/TeViewWindow.h"
 
-#include "nodes/context/TeWindow.h"
+#include "apps/common/TeScreenshots.h"
+#include "apps/common/TeWindowRun.h"
 
-#include <Inventor/SoDB.h>
 #include <Inventor/events/SoLocation2Event.h>
 #include <Inventor/events/SoMouseButtonEvent.h>
 #include <Inventor/nodes/SoEventCallback.h>
@@ -130,26 +130,13 @@ private:
 } // namespace
 
 TeStatus teViewWindow(TeViewSession& session, TeReport& report) {
-  const TeCommonOptions& common = session.common();
-  TeViewerOptions viewer;
-  viewer.title = "terrane-view";
-  viewer.width = common.width;
-  viewer.height = common.height;
-  viewer.background = session.stage().background();
-  viewer.frames = common.offscreen.empty() ? common.frames : std::max(1, common.frames);
-  SoDB::setRealTimeInterval(SbTime::zero()); // a timer of Coin's, which nothing here needs
   Client client(session);
-  const TeResult<TeViewerSession> shown = teRunWindow(&session.stage().all(), viewer, client);
+  const TeResult<TeViewerSession> shown = teShowInWindow(
+      session.stage().all(), "terrane-view", session.stage().background(), session.common(), client, report);
   if (!shown)
     return shown.error();
-  auto& json = report.json();
-  json["context"] = common.context;
-  json["renderer"] = shown->renderer;
-  json["frames"] = shown->frames;
+  report.json()["frames"] = shown->frames;
   report.addTime("frame_mean", shown->meanSeconds);
   report.addTime("frame_longest", shown->longestSeconds);
-  if (shown->picture.rgba.empty())
-    return {};
-  report.addPicture(shown->picture);
-  return common.offscreen.empty() ? TeStatus() : shown->picture.writePng(common.offscreen);
+  return teKeepPicture(shown->picture, session.common(), report);
 }

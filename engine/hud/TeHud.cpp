@@ -3,8 +3,6 @@
 #include "engine/hud/TeTextPanel.h"
 #include "nodes/TeOverlay.h"
 
-#include <Inventor/nodes/SoDrawStyle.h>
-#include <Inventor/nodes/SoEnvironment.h>
 #include <Inventor/nodes/SoOrthographicCamera.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoSwitch.h>
@@ -45,12 +43,6 @@ std::vector<std::string> shownTexts(const std::vector<std::string>& lines) {
 SoSeparator* makeGraph() {
   auto* graph = new SoSeparator;
   teAddOverlayState(*graph);
-  auto* fog = new SoEnvironment;
-  fog->fogType = SoEnvironment::NONE;
-  graph->addChild(fog);
-  auto* style = new SoDrawStyle;
-  style->style = SoDrawStyle::FILLED;
-  graph->addChild(style);
   auto* transparency = new SoTransparencyType;
   transparency->value = SoTransparencyType::BLEND;
   graph->addChild(transparency);

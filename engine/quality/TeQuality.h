@@ -24,7 +24,7 @@
 ///   kDoubling seconds or in a frame, whichever is less.
 ///
 /// Frames may be late by kLatency: their cost may be that of an error chosen so many frames before.
-/// Cost: some 0.3 µs a frame. One thread at a time.
+/// Cost: about a microsecond a frame. One thread at a time.
 class TeQuality {
 public:
   static constexpr double kLeastGoal = 1e-4; ///< seconds

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fstream>
 #include <map>
+#include <set>
 #include <sstream>
 
 namespace {
@@ -164,6 +165,14 @@ TEST_F(TerraneAccuracySweeps, AllWritesAPageWithEveryPart) {
     EXPECT_NE(page.find("[" + part + ".csv](accuracy/" + part + ".csv)"), std::string::npos) << part;
     EXPECT_FALSE(table(scratch("docs/accuracy/" + part + ".csv")).empty()) << part;
   }
+  // Of frames only those of the run in the diagrams.
+  std::set<std::string> runs, shownRuns;
+  for (const Row& row : table(scratch("work/quality.csv")))
+    runs.insert(row.at("run"));
+  for (const Row& row : table(scratch("docs/accuracy/quality.csv")))
+    shownRuns.insert(row.at("run"));
+  EXPECT_EQ(runs.size(), 3u);
+  EXPECT_EQ(shownRuns, std::set<std::string>{"simulated, exponent 1"});
   // Every diagram that is shown is there.
   for (std::size_t at = 0; (at = page.find("](images/accuracy/", at)) != std::string::npos; ++at) {
     const std::size_t end = page.find(')', at);

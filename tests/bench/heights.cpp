@@ -131,6 +131,24 @@ void pointHeights(benchmark::State& state, Land land, bool scattered) {
 #endif
 }
 
+/// The same points all at once.
+void manyHeights(benchmark::State& state, Land land) {
+  const World world(land, int(state.range(0)));
+  TeRandom random(4, 4, {});
+  std::vector<glm::dvec2> points(kQueries);
+  for (glm::dvec2& point : points)
+    point = {world.at(random.uniform(0, world.side)), world.at(random.uniform(0, world.side))};
+  std::vector<double> heights(kQueries);
+  const double start = teThreadCpuSeconds();
+  for (auto _ : state)
+    world.database->heightsAt(points.data(), kQueries, heights.data());
+  const double seconds = teThreadCpuSeconds() - start;
+  benchmark::DoNotOptimize(heights.data());
+  state.counters["ns"] =
+      1e9 * seconds / double(kQueries) / double(std::max<std::int64_t>(1, state.iterations()));
+  state.counters["target_ns"] = 40;
+}
+
 /// From 150 m above the ground anywhere in the middle half, in all directions, between 14 and 45 degrees
 /// down.
 void slantedRays(benchmark::State& state, Land land) {
@@ -184,5 +202,6 @@ void slantedRays(benchmark::State& state, Land land) {
 BENCHMARK_CAPTURE(pointHeights, hills_walking, Land::Hills, false)->Arg(8);
 BENCHMARK_CAPTURE(pointHeights, mountains_walking, Land::Mountains, false)->Arg(64);
 BENCHMARK_CAPTURE(pointHeights, mountains_scattered, Land::Mountains, true)->Arg(8)->Arg(64);
+BENCHMARK_CAPTURE(manyHeights, mountains_scattered, Land::Mountains)->Arg(8)->Arg(64);
 BENCHMARK_CAPTURE(slantedRays, hills, Land::Hills)->Arg(16)->Arg(64);
 BENCHMARK_CAPTURE(slantedRays, mountains, Land::Mountains)->Arg(16)->Arg(64);

@@ -9,6 +9,7 @@
 #include "nodes/lod/order/TeTriangleStrips.h"
 #include "nodes/lod/order/TeVertexFifo.h"
 #include "tests/bench/rtinField.h"
+#include "tests/nodes/lod/order/gridOf.h"
 
 #include <benchmark/benchmark.h>
 
@@ -40,21 +41,6 @@ TeLodMesh drawnBy(const std::string& name, const TeLodAccuracy& accuracy, double
   return mesh;
 }
 
-TeLodMesh grid(int cells) {
-  TeLodMesh mesh;
-  for (int row = 0; row <= cells; row++)
-    for (int column = 0; column <= cells; column++)
-      mesh.vertices.push_back({column, row, 0});
-  const std::uint32_t width = std::uint32_t(cells) + 1;
-  for (std::uint32_t row = 0; row + 1 < width; row++)
-    for (std::uint32_t column = 0; column + 1 < width; column++) {
-      const std::uint32_t southWest = row * width + column, northWest = southWest + width;
-      mesh.indices.insert(mesh.indices.end(), {southWest, southWest + 1, northWest + 1});
-      mesh.indices.insert(mesh.indices.end(), {southWest, northWest + 1, northWest});
-    }
-  return mesh;
-}
-
 const TeLodMesh& meshOf(int number) {
   static std::map<int, TeLodMesh> made;
   TeLodMesh& mesh = made[number];
@@ -62,7 +48,7 @@ const TeLodMesh& meshOf(int number) {
     return mesh;
   TeLodAccuracy accuracy;
   if (number == 0) {
-    mesh = grid(64);
+    mesh = gridOf(64);
   } else if (number == 1) {
     accuracy.pixelError = 2;
     mesh = drawnBy("seamless", accuracy, 6000);

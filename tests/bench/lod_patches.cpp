@@ -10,6 +10,7 @@
 #include "nodes/lod/brute/TeBruteForce.h"
 #include "nodes/lod/chunked/TeChunkedLod.h"
 #include "nodes/lod/geomipmap/TeGeoMipMapping.h"
+#include "tests/bench/timing.h"
 
 #include <benchmark/benchmark.h>
 
@@ -64,17 +65,6 @@ std::unique_ptr<TeLodMethod> chunked(TeLodFieldPtr field, int cells) {
   TeChunkedLod::Settings settings;
   settings.leafCells = cells;
   return std::move(TeChunkedLod::create(std::move(field), settings).value());
-}
-
-/// The least CPU time of some runs.
-template <class Work> double leastSeconds(int runs, Work work) {
-  double least = 1e9;
-  for (int run = 0; run < runs; run++) {
-    const double start = teThreadCpuSeconds();
-    work();
-    least = std::min(least, teThreadCpuSeconds() - start);
-  }
-  return least;
 }
 
 void prepare(benchmark::State& state, Create create) {

@@ -7,11 +7,11 @@
 #include "generators/base/TeHash.h"
 #include "nodes/lod/TePerspectiveView.h"
 #include "nodes/lod/quadtree/TeQuadtreeMesh.h"
+#include "tests/bench/timing.h"
 
 #include <benchmark/benchmark.h>
 #include <glm/geometric.hpp>
 
-#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -74,23 +74,6 @@ TeLodView view(int sideLog, int frame) {
   return view.lodView();
 }
 
-/// Nanoseconds a triangle to write as many by three indices, of vertices that are written, too.
-double plainWriting(const TeLodMesh& mesh) {
-  TeLodMesh copy;
-  double least = 1e9;
-  for (int run = 0; run < 9; run++) {
-    const double start = teThreadCpuSeconds();
-    copy.clear();
-    for (const TeLodVertex& vertex : mesh.vertices)
-      copy.vertices.push_back(vertex);
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-      copy.indices.insert(copy.indices.end(), {mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
-    benchmark::DoNotOptimize(copy.indices.data());
-    least = std::min(least, teThreadCpuSeconds() - start);
-  }
-  return 1e9 * least / double(std::max<std::int64_t>(1, mesh.triangles()));
-}
-
 void flight(benchmark::State& state, const TeQuadtreeMesh::Wish& wish) {
   const int sideLog = int(state.range(0));
   const TeQuadtree& data = tree(sideLog);
@@ -118,10 +101,6 @@ void flight(benchmark::State& state, const TeQuadtreeMesh::Wish& wish) {
     frame = (frame + 1) % kFrames;
   }
   const double frames = double(updates.size());
-  const auto median = [](std::vector<double>& values) {
-    std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-    return values[values.size() / 2];
-  };
   const double update = median(updates), whole = median(wholes);
   state.counters["data_squares"] = double(data.squareCount());
   state.counters["data_MB"] = double(data.bytes()) / 1e6;

@@ -8,6 +8,7 @@
 #include "generators/base/TeHash.h"
 #include "nodes/lod/TeFlyover.h"
 #include "nodes/lod/roam/TeRoamLod.h"
+#include "tests/bench/timing.h"
 
 #include <benchmark/benchmark.h>
 
@@ -69,28 +70,6 @@ TeFlyover flight(double anglePerFrame) {
   flight.sample = [&field](std::int32_t column, std::int32_t row) { return field.height(column, row); };
   flight.anglePerFrame = anglePerFrame;
   return flight;
-}
-
-double median(std::vector<double>& values) {
-  std::nth_element(values.begin(), values.begin() + std::ptrdiff_t(values.size() / 2), values.end());
-  return values[values.size() / 2];
-}
-
-/// Nanoseconds a triangle to copy as many indices, and their vertices, one by one.
-double plainWriting(const TeLodMesh& mesh) {
-  TeLodMesh copy;
-  double least = 1e9;
-  for (int run = 0; run < 9; run++) {
-    const double start = teThreadCpuSeconds();
-    copy.clear();
-    for (const TeLodVertex& vertex : mesh.vertices)
-      copy.vertices.push_back(vertex);
-    for (std::size_t i = 0; i + 2 < mesh.indices.size(); i += 3)
-      copy.indices.insert(copy.indices.end(), {mesh.indices[i], mesh.indices[i + 1], mesh.indices[i + 2]});
-    benchmark::DoNotOptimize(copy.indices.data());
-    least = std::min(least, teThreadCpuSeconds() - start);
-  }
-  return 1e9 * least / double(std::max<std::int64_t>(1, mesh.triangles()));
 }
 
 /// `aim`, `document`: milliseconds a frame; 0: none.

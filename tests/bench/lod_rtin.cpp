@@ -1,31 +1,19 @@
 // RTIN: what the errors of all vertices cost, midpoint and exact, triangles for a wanted error in metres over
 // the whole terrain, and selections on the flyover. Terrain: rtinField.h.
 
-#include "generators/base/TeAllowance.h"
 #include "nodes/lod/TeFlyover.h"
 #include "nodes/lod/TeScreenError.h"
 #include "nodes/lod/rtin/TeRtinLod.h"
 #include "tests/bench/rtinField.h"
+#include "tests/bench/timing.h"
 
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
-#include <functional>
 
 namespace {
 
 TeRtinError errorOf(std::int64_t number) { return number == 0 ? TeRtinError::Midpoint : TeRtinError::Exact; }
-
-/// The least CPU seconds of some runs.
-double leastSeconds(int runs, const std::function<void()>& work) {
-  double least = 1e9;
-  for (int run = 0; run < runs; run++) {
-    const double start = teThreadCpuSeconds();
-    work();
-    least = std::min(least, teThreadCpuSeconds() - start);
-  }
-  return least;
-}
 
 /// Errors of all vertices. "midpoints": the time in that of midpoint errors in the same run, turn by turn.
 void errors(benchmark::State& state) {

@@ -1,6 +1,7 @@
 #include "nodes/lod/TeScreenError.h"
 #include "nodes/seamless/TeSeamlessBounds.h"
 #include "tests/bench/TeBenchmarkReport.h"
+#include "tests/bench/timing.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,13 +18,7 @@ TeHeightMap hills(int resolution) {
 
 /// CPU seconds of what any pass over the samples costs: their minimum, maximum and mean.
 double passSeconds(const TeHeightMap& map) {
-  double least = 1e9;
-  for (int run = 0; run < 5; run++) {
-    const double start = teThreadCpuSeconds();
-    benchmark::DoNotOptimize(map.statistics().maximum);
-    least = std::min(least, teThreadCpuSeconds() - start);
-  }
-  return least;
+  return leastSeconds(5, [&] { benchmark::DoNotOptimize(map.statistics().maximum); });
 }
 
 /// Runs `work`, which goes over all samples, and prints its time in passes too, and the aim for it.

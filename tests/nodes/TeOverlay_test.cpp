@@ -5,11 +5,17 @@
 #include <Inventor/SoPickedPoint.h>
 #include <Inventor/actions/SoCallbackAction.h>
 #include <Inventor/actions/SoRayPickAction.h>
+#include <Inventor/elements/SoDrawStyleElement.h>
+#include <Inventor/elements/SoEnvironmentElement.h>
 #include <Inventor/elements/SoLazyElement.h>
 #include <Inventor/nodes/SoCube.h>
+#include <Inventor/nodes/SoDrawStyle.h>
+#include <Inventor/nodes/SoEnvironment.h>
 #include <Inventor/nodes/SoSeparator.h>
 
 #include <gtest/gtest.h>
+
+#include <utility>
 
 namespace {
 
@@ -47,6 +53,31 @@ TEST(TeOverlay, HasNoLight) {
       &model);
   action.apply(root.get());
   EXPECT_EQ(model, SoLazyElement::BASE_COLOR);
+}
+
+TEST(TeOverlay, HasNoFogAndIsFilledWhateverTheSceneIs) {
+  const TeNodePtr<SoSeparator> root(new SoSeparator);
+  auto* fog = new SoEnvironment;
+  fog->fogType = SoEnvironment::FOG;
+  root->addChild(fog);
+  auto* lines = new SoDrawStyle;
+  lines->style = SoDrawStyle::LINES;
+  root->addChild(lines);
+  teAddOverlayState(*root);
+  root->addChild(new SoCube);
+  std::pair<int, int> found{-1, -1};
+  SoCallbackAction action(SbViewportRegion(10, 10));
+  action.addPreCallback(
+      SoCube::getClassTypeId(),
+      [](void* data, SoCallbackAction* at, const SoNode*) {
+        *static_cast<std::pair<int, int>*>(data) = {SoEnvironmentElement::getFogType(at->getState()),
+                                                    SoDrawStyleElement::get(at->getState())};
+        return SoCallbackAction::CONTINUE;
+      },
+      &found);
+  action.apply(root.get());
+  EXPECT_EQ(found.first, SoEnvironmentElement::NONE);
+  EXPECT_EQ(found.second, SoDrawStyleElement::FILLED);
 }
 
 } // namespace

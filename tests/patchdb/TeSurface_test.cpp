@@ -7,7 +7,9 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <thread>
+#include <vector>
 
 namespace {
 
@@ -33,6 +35,44 @@ TEST(TeSurface, HeightAtSamplesIsExactlyTheirFloat) {
             << x << ", " << y;
       }
   }
+}
+
+TEST(TeSurface, HeightsOfManyPointsAreThoseOfEach) {
+  // A hole in one cell, a coarse patch in the west, nothing known farther on.
+  auto database = teSampleWorld(
+      [](std::int64_t x, std::int64_t y) {
+        return x == 4 && y == 4 ? TeHeightMap::missing() : float(x * x % 7 + y);
+      },
+      17);
+  buildBlock(*database, -2, 2);
+  TeHeightMap coarse = *TeHeightMap::create(9, 9);
+  for (int y = 0; y <= 8; ++y)
+    for (int x = 0; x <= 8; ++x)
+      coarse.at(x, y) = float(x * y);
+  (*database->lookup({-1, 0, 2}, TeLookup::Create))->setHeights(std::move(coarse), 1);
+  TeRandom random(9, 4, {});
+  std::vector<glm::dvec2> points;
+  for (int i = 0; i < 1001; ++i)
+    points.emplace_back(random.uniform(-40, 30), random.uniform(-30, 30));
+  for (double x = -22; x <= 22; ++x) // samples and grid lines, rims among them
+    for (double y : {-20.0, -4.0, 3.5, 4.0, 20.0})
+      points.emplace_back(x, y);
+  for (double bad : {double(NAN), double(INFINITY), -1e300, 1e300})
+    points.emplace_back(bad, 1);
+  std::vector<double> heights(points.size(), -1);
+  database->heightsAt(points.data(), points.size(), heights.data());
+  std::size_t known = 0;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const std::optional<double> height = database->heightAt(points[i]);
+    known += height ? 1 : 0;
+    if (height)
+      ASSERT_EQ(heights[i], *height) << points[i].x << ", " << points[i].y;
+    else
+      ASSERT_TRUE(std::isnan(heights[i])) << points[i].x << ", " << points[i].y;
+  }
+  EXPECT_GT(known, points.size() / 4);
+  EXPECT_LT(known, points.size() - 8);
+  database->heightsAt(nullptr, 0, nullptr);
 }
 
 TEST(TeSurface, CellsAreSplitFromSouthWestToNorthEast) {

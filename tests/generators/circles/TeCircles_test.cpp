@@ -1,5 +1,7 @@
 #include "generators/circles/TeCircles.h"
 
+#include "tests/generators/mapsInParts.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -47,35 +49,13 @@ TEST(TeCircles, MapsOfAnySizeHaveTheBitsOfThePlainLoop) {
 TEST(TeCircles, AnySlicingGivesTheSameBits) {
   const Source source = make();
   const TeHeightMap whole = *source->generate(mapOf(65, 65));
-  for (std::int64_t units : {1, 2, 7}) {
-    const std::unique_ptr<TeHeightJob> job = source->start(mapOf(65, 65));
-    int slices = 1;
-    TeAllowance allowance = TeAllowance::units(units);
-    while (job->step(allowance) == TeProgress::Working) {
-      ++slices;
-      allowance = TeAllowance::units(units);
-    }
-    EXPECT_GT(slices, 1);
-    EXPECT_EQ(job->takeMap(), whole) << units;
-  }
+  for (std::int64_t units : {1, 2, 7})
+    expectMapInSlices(*source, mapOf(65, 65), units, whole);
 }
 
-// Few samples are evaluated each by itself, many by way of the map; either way the same bits.
 TEST(TeCircles, ScatteredSamplesHaveTheBitsOfTheMap) {
-  const Source source = make();
-  ASSERT_TRUE(source->pointEvaluable());
-  const TeMapRequest request = mapOf(65, 33, {4, -9});
-  const TeHeightMap map = *source->generate(request);
-  for (int stride : {1, 4, 32}) {
-    std::vector<TeMapSample> samples;
-    for (int r = 32; r >= 0; r -= stride)
-      for (int c = 0; c < 65; c += stride)
-        samples.push_back({c, r});
-    std::vector<float> heights(samples.size());
-    ASSERT_TRUE(source->evaluate(request, samples.data(), samples.size(), heights.data()));
-    for (std::size_t i = 0; i < samples.size(); ++i)
-      EXPECT_EQ(heights[i], map.at(samples[i].column, samples[i].row));
-  }
+  for (int stride : {1, 4, 32})
+    expectSamplesOfMap(*make(), mapOf(65, 33, {4, -9}), stride);
 }
 
 // In a wide map most samples lie hundreds of thousands of radii from most circles.

@@ -7,6 +7,7 @@
 #include "generators/elevation/TeGdal.h"
 #include "generators/elevation/TeTestFolder.h"
 #include "generators/elevation/TeTestRasters.h"
+#include "tests/generators/mapsInParts.h"
 
 #include <gtest/gtest.h>
 
@@ -114,15 +115,8 @@ TEST_F(ElevationSource, AnySlicingGivesTheSameBits) {
   const TeHeightSourcePtr elevation = source(degrees(20));
   const TeMapRequest request = TeMapRequest::sourceMap(*TeLattice::create(65, 55), 0, {1, 0});
   const TeHeightMap whole = *elevation->generate(request);
-  for (int units : {1, 2, 7}) {
-    const std::unique_ptr<TeHeightJob> job = elevation->start(request);
-    for (TeProgress progress = TeProgress::Working; progress == TeProgress::Working;) {
-      TeAllowance allowance = TeAllowance::units(units);
-      progress = job->step(allowance);
-      ASSERT_NE(progress, TeProgress::Failed) << job->error().message;
-    }
-    EXPECT_EQ(job->takeMap(), whole) << units;
-  }
+  for (int units : {1, 2, 7})
+    expectMapInSlices(*elevation, request, units, whole);
 }
 
 TEST_F(ElevationSource, ManyThreadsShareOneFile) {

@@ -1,6 +1,7 @@
 #include "generators/faults/TeFaultFormation.h"
 
 #include "generators/TeGeneratorRegistry.h"
+#include "tests/generators/mapsInParts.h"
 
 #include <gtest/gtest.h>
 
@@ -96,37 +97,15 @@ TEST(TeFaultFormation, AnySlicingGivesTheSameBits) {
     const Source source = make(profile, 2500);
     const TeMapRequest request = mapOf(65, 65);
     const TeHeightMap whole = *source->generate(request);
-    for (std::int64_t units : {1, 2, 7}) {
-      const std::unique_ptr<TeHeightJob> job = source->start(request);
-      int slices = 0;
-      TeAllowance allowance = TeAllowance::units(units);
-      while (job->step(allowance) == TeProgress::Working) {
-        ++slices;
-        allowance = TeAllowance::units(units);
-      }
-      EXPECT_GE(slices, 1);
-      EXPECT_EQ(job->takeMap(), whole) << profile << ", slices of " << units;
-    }
+    for (std::int64_t units : {1, 2, 7})
+      expectMapInSlices(*source, request, units, whole);
   }
 }
 
-// Few samples are evaluated each by itself, many by way of the map; either way the same bits.
 TEST(TeFaultFormation, ScatteredSamplesHaveTheBitsOfTheMap) {
   for (const char* profile : {"step", "smooth"})
-    for (int stride : {1, 4, 32}) {
-      const Source source = make(profile);
-      ASSERT_TRUE(source->pointEvaluable());
-      const TeMapRequest request = mapOf(65, 33, {4, -9});
-      const TeHeightMap map = *source->generate(request);
-      std::vector<TeMapSample> samples;
-      for (int r = 32; r >= 0; r -= stride)
-        for (int c = 0; c < 65; c += stride)
-          samples.push_back({c, r});
-      std::vector<float> heights(samples.size());
-      ASSERT_TRUE(source->evaluate(request, samples.data(), samples.size(), heights.data()));
-      for (std::size_t i = 0; i < samples.size(); ++i)
-        EXPECT_EQ(heights[i], map.at(samples[i].column, samples[i].row));
-    }
+    for (int stride : {1, 4, 32})
+      expectSamplesOfMap(*make(profile), mapOf(65, 33, {4, -9}), stride);
 }
 
 TEST(TeFaultFormation, HeightsStayWithinTheSumOfAmplitudes) {

@@ -1,5 +1,7 @@
 #include "generators/midpoint/TeMidpointDisplacement.h"
 
+#include "tests/generators/mapsInParts.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -75,17 +77,8 @@ TEST(TeMidpointDisplacement, BothVariantsFollowTheDocumentsRecursion) {
 TEST(TeMidpointDisplacement, AnySlicingGivesTheSameBits) {
   const Source source = make("gaussian");
   const TeHeightMap whole = *source->generate(mapOf(129));
-  for (std::int64_t units : {1, 2, 3}) {
-    const std::unique_ptr<TeHeightJob> job = source->start(mapOf(129));
-    int slices = 1;
-    TeAllowance allowance = TeAllowance::units(units);
-    while (job->step(allowance) == TeProgress::Working) {
-      ++slices;
-      allowance = TeAllowance::units(units);
-    }
-    EXPECT_GT(slices, 1);
-    EXPECT_EQ(job->takeMap(), whole) << units;
-  }
+  for (std::int64_t units : {1, 2, 3})
+    expectMapInSlices(*source, mapOf(129), units, whole);
 }
 
 TEST(TeMidpointDisplacement, OtherSizesAreAnErrorThatNamesTheNextOne) {

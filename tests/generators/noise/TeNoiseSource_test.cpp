@@ -1,6 +1,7 @@
 #include "generators/noise/TeNoiseSource.h"
 
 #include "generators/base/TeRandom.h"
+#include "tests/generators/mapsInParts.h"
 
 #include <gtest/gtest.h>
 
@@ -24,15 +25,7 @@ TEST(TeNoiseSource, AnySlicingGivesTheSameMap) {
   for (TeNoiseType type : kTypes) {
     const TeHeightSourcePtr source = noise(type);
     const TeMapRequest request = TeMapRequest::sourceMap(lattice, 4, {-3, 8});
-    const TeHeightMap whole = *source->generate(request);
-    const std::unique_ptr<TeHeightJob> job = source->start(request);
-    int slices = 0;
-    for (TeProgress progress = TeProgress::Working; progress == TeProgress::Working; ++slices) {
-      TeAllowance one = TeAllowance::units(1);
-      progress = job->step(one);
-    }
-    EXPECT_GT(slices, 1);
-    EXPECT_EQ(job->takeMap(), whole);
+    expectMapInSlices(*source, request, 1, *source->generate(request));
   }
 }
 

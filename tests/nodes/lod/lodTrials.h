@@ -133,6 +133,25 @@ template <class Create> void expectThatBoundsHold(Create create, std::mt19937& r
               closest);
 }
 
+/// Near a terrain, with 0.1 pixels wanted: a tenth of the triangles are drawn if no more are allowed, and the
+/// bound stays true. In the end only one is allowed: what is drawn then is as coarse as can be.
+inline void expectThatABudgetIsKept(TeLodMethod& method) {
+  const TeLodField& field = method.field();
+  const double side = field.cells() * field.spacing();
+  const TeLodView view = viewFrom(field.placement().corner + glm::dvec3(0.5 * side, 0.5 * side, 0.2 * side));
+  TeLodAccuracy accuracy;
+  accuracy.pixelError = 0.1;
+  method.select(view, accuracy);
+  const std::int64_t all = method.selection().triangles;
+  accuracy.maxTriangles = all / 10;
+  method.select(view, accuracy);
+  EXPECT_LE(method.selection().triangles, all / 10);
+  EXPECT_GT(method.selection().coarsening, 1);
+  EXPECT_LE(method.selection().errorBound, 0.1 * method.selection().coarsening);
+  accuracy.maxTriangles = 1;
+  method.select(view, accuracy);
+}
+
 /// The same key, the same triangles, whatever else is chosen; and two methods choose alike.
 inline void expectThatKeysStandForTriangles(TeLodMethod& method, TeLodMethod& again, std::mt19937& random) {
   std::map<std::uint64_t, TeLodMesh> known;

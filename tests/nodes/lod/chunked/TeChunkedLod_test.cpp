@@ -191,20 +191,8 @@ TEST(TeChunkedLod, lowersTheAccuracyForABudget) {
   std::mt19937 random(10);
   const TeLodFieldPtr field = anyField(StressField::Rough, 256, random);
   const auto method = methodOver(field);
-  const double side = 256 * field->spacing();
-  const TeLodView view = viewFrom(field->placement().corner + glm::dvec3(0.5 * side, 0.5 * side, 0.2 * side));
-  TeLodAccuracy accuracy;
-  accuracy.pixelError = 0.1;
-  method->select(view, accuracy);
-  const std::int64_t all = method->selection().triangles;
-  accuracy.maxTriangles = all / 10;
-  method->select(view, accuracy);
-  EXPECT_LE(method->selection().triangles, all / 10);
-  EXPECT_GT(method->selection().coarsening, 1);
-  EXPECT_LE(method->selection().errorBound, 0.1 * method->selection().coarsening);
-  accuracy.maxTriangles = 1; // the root, if even that is too much
-  method->select(view, accuracy);
-  EXPECT_EQ(method->selection().parts.size(), 1u);
+  expectThatABudgetIsKept(*method);
+  EXPECT_EQ(method->selection().parts.size(), 1u) << "the root, if even that is too much";
 }
 
 TEST(TeChunkedLod, keysStandForTriangles) {

@@ -114,21 +114,8 @@ TEST(TeGeoMipMapping, lowersTheAccuracyForABudget) {
   std::mt19937 random(10);
   const TeLodFieldPtr field = anyField(StressField::Rough, 256, random);
   const auto method = methodOver(field, 16);
-  const double side = 256 * field->spacing();
-  const TeLodView view = viewFrom(field->placement().corner + glm::dvec3(0.5 * side, 0.5 * side, 0.2 * side));
-  TeLodAccuracy accuracy;
-  accuracy.pixelError = 0.1;
-  method->select(view, accuracy);
-  const std::int64_t all = method->selection().triangles;
-  accuracy.maxTriangles = all / 10;
-  method->select(view, accuracy);
-  EXPECT_LE(method->selection().triangles, all / 10);
-  EXPECT_GT(method->selection().coarsening, 1);
-  EXPECT_LE(method->selection().errorBound, 0.1 * method->selection().coarsening);
-  // As coarse as can be, if even that is too much.
-  accuracy.maxTriangles = 1;
-  method->select(view, accuracy);
-  EXPECT_EQ(method->selection().triangles, 2 * 16 * 16);
+  expectThatABudgetIsKept(*method);
+  EXPECT_EQ(method->selection().triangles, 2 * 16 * 16) << "as coarse as can be, if even that is too much";
 }
 
 TEST(TeGeoMipMapping, keysStandForTriangles) {
@@ -157,8 +144,8 @@ TEST(TeGeoMipMapping, itsDialIsAThresholdInPixels) {
   EXPECT_EQ(before, 2 * 32 * 32);
 }
 
-// Not as little by little as where parts have no neighbours: when one changes its level, what the strip beside
-// it asks of a weight changes at once. But never by more than is wanted.
+// Not as little by little as where parts have no neighbours: when one changes its level, what the strip
+// beside it asks of a weight changes at once. But never by more than is wanted.
 TEST(TeGeoMipMapping, morphingMovesVerticesWithinTheWantedError) {
   std::mt19937 random(13);
   const TeLodFieldPtr field = hillsToDescendOn(random);
