@@ -12,7 +12,7 @@ constexpr double kLeastPixelError = 0.1, kMostPixelError = 256;
 
 } // namespace
 
-TeViewControls::TeViewControls(const TeViewOptions& options, TeSeamlessNodes& nodes)
+TeViewControls::TeViewControls(const TeViewOptions& options, TeLodNodes& nodes)
     : m_nodes(nodes), m_secondCamera(options.secondCamera), m_statistics(options.statistics) {
   if (options.wireframe)
     setWireframe(true);

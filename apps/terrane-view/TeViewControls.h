@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/terrane-view/TeSeamlessNodes.h"
+#include "apps/terrane-view/TeLodNodes.h"
 #include "engine/input/TeKeyEvent.h"
 
 #include <string>
@@ -11,7 +11,7 @@ class TeViewControls {
 public:
   static constexpr double kStep = 1.25; ///< factor of precision and pixel error
 
-  TeViewControls(const TeViewOptions& options, TeSeamlessNodes& nodes);
+  TeViewControls(const TeViewOptions& options, TeLodNodes& nodes);
 
   bool wireframe() const { return m_wireframe; }
   bool secondCamera() const { return m_secondCamera; }
@@ -27,7 +27,7 @@ private:
   bool pressed(SoKeyboardEvent::Key key);
   void setWireframe(bool on);
 
-  TeSeamlessNodes& m_nodes;
+  TeLodNodes& m_nodes;
   bool m_wireframe = false;
   bool m_secondCamera;
   bool m_statistics;

@@ -42,7 +42,7 @@ double TeViewLog::longestSeconds() const {
   return longest;
 }
 
-void TeViewLog::describe(bool terrains, Json& report) const {
+void TeViewLog::describe(bool shapes, bool seamless, Json& report) const {
   const auto over = [&](const auto& value) {
     std::vector<double> values;
     for (const Frame& frame : m_frames)
@@ -50,7 +50,7 @@ void TeViewLog::describe(bool terrains, Json& report) const {
     return spread(std::move(values));
   };
   report["frame_ms"] = over([](const Frame& frame) { return 1000 * frame.seconds; });
-  if (!terrains)
+  if (!shapes)
     return;
   report["selection_ms"] = over([](const Frame& frame) { return 1000 * frame.figures.selectionSeconds; });
   report["triangles"] = over([](const Frame& frame) { return frame.figures.faces; });
@@ -60,7 +60,8 @@ void TeViewLog::describe(bool terrains, Json& report) const {
   report["patches_rendered"] = over([](const Frame& frame) { return frame.figures.rendered; });
   report["bytes_uploaded"] = over([](const Frame& frame) { return frame.figures.bytesUploaded; });
   report["error_bound_px"] = over([](const Frame& frame) { return frame.figures.errorBound; });
-  report["equivalent_precision"] = over([](const Frame& frame) { return frame.figures.precision; });
+  if (seamless)
+    report["equivalent_precision"] = over([](const Frame& frame) { return frame.figures.precision; });
   std::int64_t bytes = 0;
   for (const Frame& frame : m_frames)
     bytes += frame.figures.bytesUploaded;

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "apps/terrane-view/TeSeamlessNodes.h"
+#include "apps/terrane-view/TeLodNodes.h"
 
 #include <nlohmann/json.hpp>
 
@@ -15,9 +15,9 @@ public:
   double meanSeconds() const;
   double longestSeconds() const;
 
-  /// Median, mean and worst of each figure over all frames, and sums. The figures of terrains are left out
-  /// where there is none.
-  void describe(bool terrains, nlohmann::ordered_json& report) const;
+  /// Median, mean and worst of each figure over all frames, and sums. The figures of LOD shapes, or those
+  /// that only Seamless Patches have, are left out where there is none.
+  void describe(bool shapes, bool seamless, nlohmann::ordered_json& report) const;
 
 private:
   struct Frame {

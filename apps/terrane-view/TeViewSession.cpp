@@ -24,7 +24,7 @@ TeResult<std::unique_ptr<TeViewSession>> TeViewSession::create(const TeViewOptio
     return flight.error();
   session->m_flight = std::make_unique<TeViewFlight>(std::move(*flight));
   session->m_stage = std::make_unique<TeViewStage>(session->m_content, options, common);
-  session->m_nodes = std::make_unique<TeSeamlessNodes>(session->m_content.root.get(), options);
+  session->m_nodes = std::make_unique<TeLodNodes>(session->m_content.root.get(), options);
   session->m_controls = std::make_unique<TeViewControls>(options, *session->m_nodes);
   if (const TeStatus ok = session->startQuality(); !ok)
     return ok.error();
@@ -102,9 +102,15 @@ void TeViewSession::describe(TeReport& report) const {
   json["box_m"] = {{low.x, low.y, low.z}, {high.x, high.y, high.z}};
   m_flight->describe(json);
   if (m_nodes->any())
-    json["settings"] = {{"precision", m_nodes->precision()},   {"pixel_error", m_nodes->pixelError()},
-                        {"instancing", m_nodes->instancing()}, {"geomorph", m_nodes->geomorph()},
-                        {"colouring", m_nodes->colouring()},   {"second_camera", m_controls->secondCamera()},
+    json["settings"] = {{"pixel_error", m_nodes->pixelError()},
+                        {"geomorph", m_nodes->geomorph()},
+                        {"second_camera", m_controls->secondCamera()},
                         {"wireframe", m_controls->wireframe()}};
-  m_log.describe(m_nodes->any(), json);
+  if (m_nodes->anySeamless())
+    json["settings"].update({{"precision", m_nodes->precision()},
+                             {"instancing", m_nodes->instancing()},
+                             {"colouring", m_nodes->colouring()}});
+  for (const TeNodePtr<SoTeLodTerrain>& node : m_nodes->lodTerrains())
+    json["settings"]["methods"].push_back(node->method.getValue().getString());
+  m_log.describe(m_nodes->any(), m_nodes->anySeamless(), json);
 }

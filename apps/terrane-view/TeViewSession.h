@@ -20,7 +20,7 @@ public:
   TeViewStage& stage() { return *m_stage; }
   TeViewLog& log() { return m_log; }
   TeViewFlight& flight() { return *m_flight; }
-  const TeSeamlessNodes& nodes() const { return *m_nodes; }
+  const TeLodNodes& nodes() const { return *m_nodes; }
   /// Whether something changes by itself with time.
   bool moving() const { return m_flight->moving() && !m_controls->paused(); }
 
@@ -47,7 +47,7 @@ private:
   const TeCommonOptions& m_common;
   TeViewContent m_content;
   std::unique_ptr<TeViewStage> m_stage;
-  std::unique_ptr<TeSeamlessNodes> m_nodes;
+  std::unique_ptr<TeLodNodes> m_nodes;
   std::unique_ptr<TeViewControls> m_controls;
   std::unique_ptr<TeViewFlight> m_flight;
   TeViewLog m_log;

@@ -21,7 +21,7 @@ std::string boundText(double pixels, const char* none) {
   return std::isfinite(pixels) ? teFormat("at most %.2f px", pixels) : std::string(none);
 }
 
-std::string settings(const TeSeamlessNodes& nodes) {
+std::string settings(const TeLodNodes& nodes) {
   const std::string accuracy = nodes.pixelError() > 0 ? teFormat("error %.2f px wanted", nodes.pixelError())
                                                       : teFormat("precision %.2f", nodes.precision());
   return accuracy + (nodes.instancing() ? "  instanced" : "  classic") +
@@ -30,11 +30,10 @@ std::string settings(const TeSeamlessNodes& nodes) {
 
 } // namespace
 
-std::vector<std::string> teViewLines(const TeSeamlessNodes& nodes, const TeViewPose& pose,
-                                     double frameSeconds) {
+std::vector<std::string> teViewLines(const TeLodNodes& nodes, const TeViewPose& pose, double frameSeconds) {
   std::vector<std::string> lines;
-  if (nodes.any()) {
-    const TeSeamlessStatistics figures = nodes.statistics();
+  if (nodes.anySeamless()) {
+    const TeSeamlessStatistics figures = nodes.seamlessStatistics();
     lines.push_back("faces       " + grouped(figures.faces));
     lines.push_back("draw calls  " + grouped(figures.drawCalls));
     lines.push_back("patches     " + grouped(figures.traversed) + " traversed, " + grouped(figures.culled) +

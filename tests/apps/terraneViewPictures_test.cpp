@@ -240,6 +240,24 @@ TEST_F(TerraneViewPictures, StatisticsAreWrittenOverThePicture) {
   }
 }
 
+TEST_F(TerraneViewPictures, AnyMethodIsReportedAndHoldsItsError) {
+  draw(hills({"--method", "roam", "--pixel-error", "3"}));
+  EXPECT_GT(figure("triangles"), 100);
+  EXPECT_GT(figure("draw_calls"), 0);
+  EXPECT_GT(figure("error_bound_px"), 0);
+  EXPECT_LE(figure("error_bound_px"), 3);
+}
+
+TEST_F(TerraneViewPictures, AnyMethodIsSteeredByAFrameRate) {
+  // No frame is drawn in a thousandth of a second, so the error has to grow.
+  for (const Arguments& method : {Arguments(), Arguments{"--method", "quadtree"}}) {
+    Arguments arguments = {"--fps", "1000", "--frames", "60"};
+    arguments.insert(arguments.end(), method.begin(), method.end());
+    draw(hills(arguments));
+    EXPECT_GT(report()["settings"]["pixel_error"], 1);
+  }
+}
+
 TEST_F(TerraneViewPictures, ATextureLiesNorthUp) {
   TePicture image;
   image.width = image.height = 64;

@@ -54,7 +54,7 @@ TEST_F(TerraneViewText, ADialGoesBeforeTheWantedError) {
 TEST_F(TerraneViewText, EveryKindOfTerrainInASceneHasItsLines) {
   const TeNodePtr<SoSeparator> scene(new SoSeparator);
   const TeViewPose pose{{1, 2, 3.5}, {1, 0, 0, 0}};
-  const Lines none = teViewLines(TeSeamlessNodes(scene.get(), {}), pose, 0.0125);
+  const Lines none = teViewLines(TeLodNodes(scene.get(), {}), pose, 0.0125);
   EXPECT_EQ(none, (Lines{"eye         1.0  2.0  3.5", "frame       12.5 ms"}));
   for (const char* method : {"roam", "brute"}) {
     auto* node = new SoTeLodTerrain;
@@ -62,10 +62,28 @@ TEST_F(TerraneViewText, EveryKindOfTerrainInASceneHasItsLines) {
     scene->addChild(node);
   }
   scene->addChild(new SoTeSeamlessPatches);
-  const Lines all = teViewLines(TeSeamlessNodes(scene.get(), {}), pose, 0);
+  const Lines all = teViewLines(TeLodNodes(scene.get(), {}), pose, 0);
   EXPECT_EQ(all.size(), 6u + 2 * 6 + 1);
   EXPECT_EQ(all.front().substr(0, 5), "faces");
   EXPECT_THAT(all, testing::AllOf(Contains("method      roam"), Contains("method      brute")));
+}
+
+TEST_F(TerraneViewText, LodTerrainsAreSetAndSummedUpToo) {
+  const TeNodePtr<SoSeparator> scene(new SoSeparator);
+  EXPECT_FALSE(TeLodNodes(scene.get(), {}).any());
+  auto* node = new SoTeLodTerrain;
+  scene->addChild(node);
+  TeLodNodes nodes(scene.get(), {});
+  EXPECT_TRUE(nodes.any());
+  EXPECT_FALSE(nodes.anySeamless());
+  EXPECT_EQ(nodes.pixelError(), 1);
+  nodes.setPixelError(2.5);
+  EXPECT_EQ(node->pixelError.getValue(), 2.5f);
+  EXPECT_EQ(nodes.pixelError(), 2.5);
+  for (const bool on : {true, false}) {
+    nodes.setGeomorph(!nodes.geomorph());
+    EXPECT_EQ(bool(node->geomorph.getValue()), on);
+  }
 }
 
 } // namespace

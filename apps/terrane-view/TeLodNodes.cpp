@@ -1,4 +1,4 @@
-#include "apps/terrane-view/TeSeamlessNodes.h"
+#include "apps/terrane-view/TeLodNodes.h"
 
 #include <Inventor/SoPath.h>
 #include <Inventor/actions/SoSearchAction.h>
@@ -45,7 +45,7 @@ template <class Field, class Value> void set(Field& field, const Value& value) {
 
 } // namespace
 
-TeSeamlessNodes::TeSeamlessNodes(SoNode* scene, const TeViewOptions& options)
+TeLodNodes::TeLodNodes(SoNode* scene, const TeViewOptions& options)
     : m_nodes(allOf<Node>(scene)), m_lodTerrains(allOf<SoTeLodTerrain>(scene)),
       m_shapes(allOf<SoTeLodShape>(scene)) {
   if (options.precision)
@@ -58,7 +58,7 @@ TeSeamlessNodes::TeSeamlessNodes(SoNode* scene, const TeViewOptions& options)
     setInstancing(false);
 }
 
-TeSeamlessStatistics TeSeamlessNodes::statistics() const {
+TeSeamlessStatistics TeLodNodes::seamlessStatistics() const {
   TeSeamlessStatistics sum;
   for (const TeNodePtr<Node>& node : m_nodes) {
     const TeSeamlessStatistics& one = node->statistics();
@@ -77,25 +77,39 @@ TeSeamlessStatistics TeSeamlessNodes::statistics() const {
   return sum;
 }
 
-bool TeSeamlessNodes::areLoading() const {
+TeSeamlessStatistics TeLodNodes::statistics() const {
+  TeSeamlessStatistics sum = seamlessStatistics();
+  for (const TeNodePtr<SoTeLodTerrain>& node : m_lodTerrains) {
+    const TeLodStatistics& one = node->statistics();
+    sum.faces += one.triangles;
+    sum.drawCalls += one.drawCalls;
+    sum.traversed += one.visited;
+    sum.culled += one.culled;
+    sum.rendered += one.parts;
+    sum.bytesUploaded += one.bytesUploaded;
+    sum.selectionSeconds += one.selectionSeconds;
+    sum.errorBound = std::max(sum.errorBound, one.errorBound);
+  }
+  return sum;
+}
+
+bool TeLodNodes::areLoading() const {
   return std::any_of(m_nodes.begin(), m_nodes.end(),
                      [](const TeNodePtr<Node>& node) { return node->isLoading(); });
 }
 
-bool TeSeamlessNodes::instancing() const { return !any() || m_nodes.front()->instancing.getValue(); }
+bool TeLodNodes::instancing() const { return !anySeamless() || m_nodes.front()->instancing.getValue(); }
 
-bool TeSeamlessNodes::geomorph() const { return any() && m_nodes.front()->geomorph.getValue(); }
+bool TeLodNodes::geomorph() const { return any() && m_shapes.front()->geomorph.getValue(); }
 
-double TeSeamlessNodes::precision() const {
-  return any() ? double(m_nodes.front()->precision.getValue()) : 2;
+double TeLodNodes::precision() const {
+  return anySeamless() ? double(m_nodes.front()->precision.getValue()) : 2;
 }
 
-double TeSeamlessNodes::pixelError() const {
-  return any() ? double(m_nodes.front()->pixelError.getValue()) : 0;
-}
+double TeLodNodes::pixelError() const { return any() ? double(m_shapes.front()->pixelError.getValue()) : 0; }
 
-std::string TeSeamlessNodes::colouring() const {
-  if (!any())
+std::string TeLodNodes::colouring() const {
+  if (!anySeamless())
     return {};
   SbString name;
   m_nodes.front()->coloring.get(name);
@@ -105,34 +119,34 @@ std::string TeSeamlessNodes::colouring() const {
   return text;
 }
 
-void TeSeamlessNodes::setInstancing(bool on) {
+void TeLodNodes::setInstancing(bool on) {
   for (const TeNodePtr<Node>& node : m_nodes)
     set(node->instancing, SbBool(on));
 }
 
-void TeSeamlessNodes::setGeomorph(bool on) {
+void TeLodNodes::setGeomorph(bool on) {
   for (const TeNodePtr<SoTeLodShape>& node : m_shapes)
     set(node->geomorph, SbBool(on));
 }
 
-void TeSeamlessNodes::setPrecision(double precision) {
+void TeLodNodes::setPrecision(double precision) {
   for (const TeNodePtr<Node>& node : m_nodes) {
     set(node->precision, float(precision));
     set(node->pixelError, 0.0f);
   }
 }
 
-void TeSeamlessNodes::setPixelError(double pixels) {
+void TeLodNodes::setPixelError(double pixels) {
   for (const TeNodePtr<SoTeLodShape>& node : m_shapes)
     set(node->pixelError, float(pixels));
 }
 
-void TeSeamlessNodes::setWireframe(bool on) {
+void TeLodNodes::setWireframe(bool on) {
   for (const TeNodePtr<SoTeLodShape>& node : m_shapes)
     set(node->wireframe, SbBool(on));
 }
 
-void TeSeamlessNodes::nextColouring() {
+void TeLodNodes::nextColouring() {
   constexpr int kColourings = Node::HEIGHT + 1;
   for (const TeNodePtr<Node>& node : m_nodes) {
     int next = node->coloring.getValue();
@@ -143,7 +157,7 @@ void TeSeamlessNodes::nextColouring() {
   }
 }
 
-void TeSeamlessNodes::setLodCamera(SoCamera* camera) {
+void TeLodNodes::setLodCamera(SoCamera* camera) {
   for (const TeNodePtr<SoTeLodShape>& node : m_shapes)
     set(node->lodCamera, static_cast<SoNode*>(camera));
 }

@@ -11,16 +11,19 @@
 class SoCamera;
 class SoNode;
 
-/// All SoTeSeamlessPatches of a scene, which the user changes together; wireframe, geomorphing, pixel error
-/// and the camera that decides about detail with all other SoTeLodShape.
-class TeSeamlessNodes {
+/// All LOD shapes of a scene, which the user changes together: wireframe, geomorphing, pixel error and the
+/// camera that decides about detail of all, and what only SoTeSeamlessPatches have of these.
+class TeLodNodes {
 public:
   /// Finds them, and sets what the options say about accuracy and drawing.
-  TeSeamlessNodes(SoNode* scene, const TeViewOptions& options);
+  TeLodNodes(SoNode* scene, const TeViewOptions& options);
 
-  bool any() const { return !m_nodes.empty(); }
+  bool any() const { return !m_shapes.empty(); }
+  bool anySeamless() const { return !m_nodes.empty(); }
   const std::vector<TeNodePtr<SoTeLodTerrain>>& lodTerrains() const { return m_lodTerrains; }
   /// Of the last frame: counts, bytes and times summed up, the largest error bound and precision.
+  TeSeamlessStatistics seamlessStatistics() const;
+  /// The same with all SoTeLodTerrain, whose nodes are traversed, and parts rendered, as patches are.
   TeSeamlessStatistics statistics() const;
   /// Whether the next frame would be finer.
   bool areLoading() const;
@@ -45,5 +48,5 @@ public:
 private:
   std::vector<TeNodePtr<SoTeSeamlessPatches>> m_nodes;
   std::vector<TeNodePtr<SoTeLodTerrain>> m_lodTerrains;
-  std::vector<TeNodePtr<SoTeLodShape>> m_shapes; ///< those and these, and others
+  std::vector<TeNodePtr<SoTeLodShape>> m_shapes; ///< all of these
 };
