@@ -54,10 +54,11 @@ constexpr int kLanes = 4;
 #pragma GCC target("avx512f,avx512dq,avx512vl")
 namespace avx512 {
 constexpr int kLanes = 8;
-#define TE_RTIN_WIDE(a) _mm512_cvtps_pd(a)
-#define TE_RTIN_NARROW(a) _mm512_cvtpd_ps(a)
-#define TE_RTIN_LESS(a, b) _mm512_min_pd(a, b)
-#define TE_RTIN_MORE(a, b) _mm512_max_pd(a, b)
+// The header's own functions make GCC 12 warn of what they leave open on purpose.
+#define TE_RTIN_WIDE(a) __builtin_convertvector(a, Lanes)
+#define TE_RTIN_NARROW(a) __builtin_convertvector(a, FloatLanes)
+#define TE_RTIN_LESS(a, b) (a < b ? a : b)
+#define TE_RTIN_MORE(a, b) (a > b ? a : b)
 // Not negative numbers order as their bits do.
 #define TE_RTIN_MAXIMUM(a, b)                                                                                \
   reinterpret_cast<Lanes>(reinterpret_cast<LaneBits>(a) > reinterpret_cast<LaneBits>(b)                      \
