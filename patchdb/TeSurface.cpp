@@ -72,10 +72,8 @@ inline const TePatchData* TeSurface::patchOf(std::int64_t sampleX, std::int64_t 
 
 inline const TePatchData* TeSurface::patchOf(std::int64_t sampleX, std::int64_t sampleY, int level) const {
   std::int64_t x, y;
-  const TePatchKey base{patchAt(sampleX, x), patchAt(sampleY, y), 0};
-  if (!base.valid())
-    return nullptr;
-  const TePatchData* found = m_tree->find({base.x >> level, base.y >> level, level});
+  const std::int64_t patchX = patchAt(sampleX, x) >> level, patchY = patchAt(sampleY, y) >> level;
+  const TePatchData* found = m_tree->level(level).find(patchX, patchY);
   return found && found->hasHeights() ? found : nullptr;
 }
 
@@ -96,8 +94,9 @@ inline bool TeSurface::locateInCell(std::int64_t sampleX, std::int64_t sampleY, 
     return false;
   if (level > 0) {
     const std::int64_t span = std::int64_t(1) << level;
-    place.u = (double(x & (span - 1)) + place.u) / double(span);
-    place.v = (double(y & (span - 1)) + place.v) / double(span);
+    const double part = 1 / double(span); // exact, as span is a power of two
+    place.u = (double(x & (span - 1)) + place.u) * part;
+    place.v = (double(y & (span - 1)) + place.v) * part;
   }
   place.patch = patch;
   return true;

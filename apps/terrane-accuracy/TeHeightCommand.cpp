@@ -15,6 +15,8 @@ TePlot errorPlot(const std::vector<TeHeightFigures>& all) {
               true,
               {}};
   for (const TeHeightQuery query : kTeHeightQueries) {
+    if (query == TeHeightQuery::Together)
+      continue; // of level 0 only, which has no error
     TePlot::Curve curve{teNameOf(query), {}, {}};
     for (const TeHeightFigures& figures : all)
       if (figures.query == query) {
@@ -106,14 +108,15 @@ void TeHeightCommand::describe(const std::vector<TeHeightFigures>& all, const Te
                               {"samples", terrain.cells() + 1},
                               {"spacing_m", terrain.spacing()},
                               {"height_unit_m", terrain.heightScale()}};
-  output.addText(teFormat("%d² samples, %g m apart, in patches of %d² cells and coarser ones of every 2^L-th "
-                          "sample. %d queries of each "
-                          "kind: heights along a walk and anywhere, and rays from 150 m above the ground, "
-                          "14° to 45° down. Errors are "
-                          "differences from level 0, of rays that of the heights where they hit; `bound_m` "
-                          "is what the answers say of "
-                          "themselves, in the mean, and `over` counts those that were farther off.",
-                          terrain.cells() + 1, terrain.spacing(), TeHeightWorld::kCells, m_queries));
+  output.addText(teFormat(
+      "%d² samples, %g m apart, in patches of %d² cells and coarser ones of every 2^L-th "
+      "sample. %d queries of each "
+      "kind: heights along a walk, anywhere and there in one call, and rays from 150 m above the ground, "
+      "14° to 45° down. Errors are "
+      "differences from level 0, of rays that of the heights where they hit; `bound_m` "
+      "is what the answers say of "
+      "themselves, in the mean, and `over` counts those that were farther off.",
+      terrain.cells() + 1, terrain.spacing(), TeHeightWorld::kCells, m_queries));
   output.addText(wordsOf(all, *m_world));
   output.addPlot(errorPlot(all), "time");
   output.addPlot(memoryPlot(all, *m_world), "memory");

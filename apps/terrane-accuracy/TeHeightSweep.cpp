@@ -56,6 +56,17 @@ void measurePoints(const TePatchDatabase& database, const std::vector<glm::dvec2
   }
 }
 
+void measureTogether(const TePatchDatabase& database, const std::vector<glm::dvec2>& points,
+                     TeHeightFigures& figures) {
+  std::vector<double> heights(points.size());
+  database.heightsAt(points.data(), points.size(), heights.data());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (const std::optional<double> height = database.heightAt(points[i]))
+      addError(std::fabs(heights[i] - *height), 0, 0, figures);
+    else
+      ++figures.missed;
+}
+
 /// A hit lies on the level's surface, so that the base surface is to be as near there as is said.
 void measureRays(const TePatchDatabase& database, const Places& places, TeHeightFigures& figures) {
   for (std::size_t i = 0; i < places.origins.size(); ++i) {
@@ -76,8 +87,11 @@ void measureRays(const TePatchDatabase& database, const Places& places, TeHeight
 double secondsOf(const TePatchDatabase& database, const Places& places, const TeHeightFigures& figures) {
   const std::vector<glm::dvec2>& points =
       figures.query == TeHeightQuery::Near ? places.walk : places.anywhere;
+  std::vector<double> heights(figures.query == TeHeightQuery::Together ? points.size() : 0);
   const double start = teThreadCpuSeconds();
-  if (figures.query == TeHeightQuery::Ray) {
+  if (figures.query == TeHeightQuery::Together) {
+    database.heightsAt(points.data(), points.size(), heights.data());
+  } else if (figures.query == TeHeightQuery::Ray) {
     for (std::size_t i = 0; i < places.origins.size(); ++i)
       database.intersect(places.origins[i], places.directions[i], places.length, figures.level);
   } else if (figures.level == 0) {
@@ -93,7 +107,7 @@ double secondsOf(const TePatchDatabase& database, const Places& places, const Te
 } // namespace
 
 const char* teNameOf(TeHeightQuery query) {
-  const char* const names[] = {"height near", "height scattered", "ray"};
+  const char* const names[] = {"height near", "height scattered", "heights in one call", "ray"};
   return names[int(query)];
 }
 
@@ -102,13 +116,15 @@ std::vector<TeHeightFigures> teMeasureHeights(const TeHeightWorld& world, int qu
   const TePatchDatabase& database = world.database();
   std::vector<TeHeightFigures> all;
   for (const TeHeightQuery query : kTeHeightQueries)
-    for (int level = 0; level < world.levels(); ++level) {
+    for (int level = 0; level < (query == TeHeightQuery::Together ? 1 : world.levels()); ++level) {
       TeHeightFigures figures;
       figures.query = query;
       figures.level = level;
       figures.queries = queries;
       if (query == TeHeightQuery::Ray)
         measureRays(database, places, figures);
+      else if (query == TeHeightQuery::Together)
+        measureTogether(database, places.anywhere, figures);
       else
         measurePoints(database, query == TeHeightQuery::Near ? places.walk : places.anywhere, figures);
       figures.rms = std::sqrt(figures.rms / queries);

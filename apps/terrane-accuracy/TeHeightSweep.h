@@ -9,10 +9,11 @@
 enum class TeHeightQuery {
   Near,      ///< heights at points of a walk
   Scattered, ///< heights at points anywhere
+  Together,  ///< the same in one call, at level 0 only
   Ray        ///< first hits of rays from 150 m above the ground, 14 to 45 degrees down
 };
 constexpr TeHeightQuery kTeHeightQueries[] = {TeHeightQuery::Near, TeHeightQuery::Scattered,
-                                              TeHeightQuery::Ray};
+                                              TeHeightQuery::Together, TeHeightQuery::Ray};
 const char* teNameOf(TeHeightQuery query);
 
 /// One kind of query at one level.
