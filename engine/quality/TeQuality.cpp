@@ -21,10 +21,11 @@ constexpr double kMostElasticity = 3;
 constexpr double kLearn = 4;       ///< factor by which one move may change the elasticity
 constexpr double kShorter = 0.8;   ///< a way down is taken shorter: the elasticity grows on it
 constexpr double kLeastMove = 0.1; ///< that something is learned from
-constexpr double kShortest = 0.03; ///< seconds that say something, but kEnough frames always do
+constexpr double kShortest = 0.13; ///< seconds that say something, but kEnough frames always do
 constexpr int kEnough = 8;
 constexpr int kMostFrames = 1 << 30; ///< that are counted; both are multiples of kWindow
 constexpr int kMostFailures = 12;    ///< that are counted
+constexpr int kProven = 16;          ///< frames after which an error is not too dear
 constexpr int kSettled = 8;          ///< frames after which a cost is known well enough to learn from it
 
 double leastNoise(int scale) {
@@ -73,7 +74,6 @@ void TeQuality::restart() {
   m_direction = 0;
   m_failures = 0;
   m_learns = m_restKnown = false;
-  m_restSeconds = 0;
 }
 
 void TeQuality::frameDrawn(double seconds) {
@@ -85,7 +85,7 @@ void TeQuality::frameDrawn(double seconds) {
   else if (m_blind > 0)
     --m_blind;
   else
-    measure(seconds, cost);
+    measure(cost);
   m_lastCost = cost;
 }
 
@@ -100,13 +100,11 @@ void TeQuality::slew(double seconds, double cost) {
     m_error = std::max(m_target, m_error - 0.5 * std::log(2.0) * std::min(m_goal / kDoubling, 1.0));
   if (!moving()) {
     m_frames = 0;
-    m_restSeconds = 0;
     m_blind = kLatency;
   }
 }
 
-void TeQuality::measure(double seconds, double cost) {
-  m_restSeconds += seconds;
+void TeQuality::measure(double cost) {
   m_costs[std::size_t(m_frames++ % kWindow)] = cost;
   if (m_frames == kMostFrames)
     m_frames = 2 * kWindow;
@@ -172,12 +170,14 @@ void TeQuality::decide() {
   double highest = -std::numeric_limits<double>::infinity();
   double dear = 0;
   double cost = 0; ///< of the most frames
-  bool isCheap = false, isNews = false;
+  bool isKnown = false, isCheap = false, isNews = false;
   for (int scale = 1; 1 << scale <= std::min(m_frames, kWindow); ++scale) {
     const int frames = 1 << scale;
-    if (frames < kEnough && frames * m_goal < kShortest)
+    const double seen = estimate(frames);
+    if (frames < kEnough && frames * m_goal * std::exp(std::max(seen, 0.0)) < kShortest)
       continue;
-    cost = estimate(frames);
+    cost = seen;
+    isKnown = true;
     highest = std::max(highest, cost);
     if (cost > band(scale))
       dear = std::max(dear, cost);
@@ -186,11 +186,11 @@ void TeQuality::decide() {
   }
   if (dear > 0)
     return rise(dear);
-  if (m_failures > 0 && m_direction > 0 && m_frames >= kSettled / 2 && m_frames <= kWindow) {
+  if (isKnown && m_failures > 0 && m_direction > 0 && m_frames <= kWindow) {
     m_restKnown = true;
     m_restCost = cost;
   }
-  if (isNews || (m_frames >= kSettled && m_error <= m_dearError))
+  if (isNews || (m_frames >= kProven && m_error <= m_dearError))
     m_failures = 0; // it is not too dear any more
   if (isCheap && highest < -kDeadBand && mayFall(highest))
     return fall(highest);
@@ -200,13 +200,15 @@ void TeQuality::decide() {
 
 bool TeQuality::mayFall(double cost) const {
   return m_failures == 0 ||
-         (cost < -kNews && (m_failures == 1 || m_restSeconds >= std::ldexp(kPatience, 2 * (m_failures - 2))));
+         (cost < -kNews &&
+          (m_failures == 1 || m_frames * m_goal >= std::ldexp(kPatience, 2 * (m_failures - 2))));
 }
 
 void TeQuality::rise(double cost) {
   learn(cost);
   double target = m_error + cost / m_elasticity;
-  const bool isFailure = m_direction < 0;
+  // Later, something else has made it dear.
+  const bool isFailure = m_direction < 0 && m_frames <= kWindow;
   if (isFailure && m_failures > 0)
     target = std::max(target, m_safeError);
   if (std::min(target, m_most) == m_error)

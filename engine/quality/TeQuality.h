@@ -66,7 +66,7 @@ private:
   void restart();
   void setTarget(double error);
   void slew(double seconds, double cost);
-  void measure(double seconds, double cost);
+  void measure(double cost);
   void decide();
   double estimate(int frames) const;
   bool mayFall(double cost) const;
@@ -97,7 +97,6 @@ private:
   int m_failures = 0;       ///< less error proved too dear so many times
   double m_dearError = 0;   ///< the last time
   double m_safeError = 0;   ///< from where that was tried
-  double m_restSeconds = 0; ///< at this error
   bool m_restKnown = false; ///< m_restCost is
   double m_restCost = 0;    ///< where it came to rest after that
 };

@@ -247,8 +247,9 @@ TEST(TeQuality, DoesNotSwingWhereDetailComesInSteps) {
     Program program(1 / 60.0);
     program.steps = 2;
     program.load = load;
-    // What is too dear is tried anew after 1, 4, 16 … times kPatience at rest.
-    for (const auto& [seconds, tries] : {std::pair(4, 1), std::pair(16, 2), std::pair(64, 3)}) {
+    // What is too dear is tried anew after 1, 4, 16 … times kPatience at rest, in frames of the goal; these
+    // take 0.7 of it.
+    for (const auto& [seconds, tries] : {std::pair(3, 1), std::pair(12, 2), std::pair(48, 3)}) {
       while (program.time < seconds * TeQuality::kPatience)
         program.runFrame();
       EXPECT_LE(program.changesOfDirection(0), 4 + 2 * tries) << load << ", " << seconds << " s";
