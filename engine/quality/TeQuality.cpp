@@ -207,8 +207,9 @@ bool TeQuality::mayFall(double cost) const {
 void TeQuality::rise(double cost) {
   learn(cost);
   double target = m_error + cost / m_elasticity;
-  // Later, something else has made it dear.
   const bool isFailure = m_direction < 0 && m_frames <= kWindow;
+  if (m_frames > kWindow)
+    m_failures = 0; // something else has made it dear, so that nothing is known any more
   if (isFailure && m_failures > 0)
     target = std::max(target, m_safeError);
   if (std::min(target, m_most) == m_error)

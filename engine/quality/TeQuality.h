@@ -64,7 +64,6 @@ private:
   static constexpr int kScales = 5;  ///< 1, 2, … 16 frames
 
   void restart();
-  void setTarget(double error);
   void slew(double seconds, double cost);
   void measure(double cost);
   void decide();
