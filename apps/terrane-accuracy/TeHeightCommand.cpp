@@ -7,6 +7,7 @@
 
 namespace {
 
+/// Without level 0, which has no error but that of rounding.
 TePlot errorPlot(const std::vector<TeHeightFigures>& all) {
   TePlot plot{"Heights by level: error against time",
               "CPU time of a query, ns (median)",
@@ -16,10 +17,10 @@ TePlot errorPlot(const std::vector<TeHeightFigures>& all) {
               {}};
   for (const TeHeightQuery query : kTeHeightQueries) {
     if (query == TeHeightQuery::Together)
-      continue; // of level 0 only, which has no error
+      continue; // of level 0 only
     TePlot::Curve curve{teNameOf(query), {}, {}};
     for (const TeHeightFigures& figures : all)
-      if (figures.query == query) {
+      if (figures.query == query && figures.level > 0) {
         curve.x.push_back(figures.ns.median);
         curve.y.push_back(figures.rms);
       }

@@ -14,12 +14,12 @@
 ///
 /// * Monotone: in the same state, a dearer frame never leads to a smaller error than a cheaper one.
 /// * Hysteresis: nothing changes while the cost is within kDeadBand of the goal, or within what the frames'
-///   own noise explains. A single odd frame changes nothing.
+///   own noise explains, nor before a change has lasted for a moment. A single odd frame changes nothing.
 /// * No oscillation: if less error proved too dear, it is tried once more, half as far, and then not again
 ///   until frames are cheaper by kNews, or kPatience seconds have passed, each time in vain four times as
 ///   many. So where neither load nor noise of the scene explains it, the error changes its direction four
 ///   times and then twice in 1, 4, 16 … times kPatience; and where load or noise did, it is not held for
-///   true for ever.
+///   true for ever. kPatience counts in frames that take as long as the goal.
 /// * Smooth: the error grows by no more than a factor of 2, and falls by no more than the root of 2, in
 ///   kDoubling seconds or in a frame, whichever is less.
 ///
