@@ -13,7 +13,7 @@ constexpr double kOutlier = 3;  ///< standard deviations from the median that co
 constexpr double kFirstNoise = 0.1;
 constexpr double kLeastNoise = 0.05;
 constexpr double kMostStep = 0.5; ///< from frame to frame that is taken for noise
-constexpr double kLikely = 3;     ///< standard deviations
+constexpr double kLikely = 3;     ///< standard deviations that one distance of means counts at most
 constexpr double kNoiseRate = 0.1;
 constexpr double kMeanDistance = 1.128; ///< of two independent normal values, in standard deviations
 constexpr double kLeastElasticity = 0.1;
@@ -23,7 +23,7 @@ constexpr double kShorter = 0.8;   ///< a way down is taken shorter: the elastic
 constexpr double kLeastMove = 0.1; ///< that something is learned from
 constexpr double kShortest = 0.13; ///< seconds that say something, but kEnough frames always do
 constexpr int kEnough = 8;
-constexpr int kMostFrames = 1 << 30; ///< that are counted; both are multiples of kWindow
+constexpr int kMostFrames = 1 << 30; ///< that are counted; a multiple of kWindow
 constexpr int kMostFailures = 12;    ///< that are counted
 constexpr int kProven = 16;          ///< frames after which an error is not too dear
 constexpr int kSettled = 8;          ///< frames after which a cost is known well enough to learn from it
@@ -230,7 +230,7 @@ void TeQuality::fall(double cost) {
         std::max(target, m_failures == 1 && m_direction > 0 ? 0.5 * (m_error + m_dearError) : m_dearError);
   target = std::max(target, m_least);
   if (target >= m_error)
-    return; // at the fine end
+    return; // at the fine end, or at what was too dear
   m_safeError = m_error;
   move(target, cost);
 }

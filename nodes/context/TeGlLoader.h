@@ -24,6 +24,8 @@ public:
   }
   /// The first one that was needed and is not there; null: none.
   const char* missing() const { return m_missing; }
+  /// True if none is missing; otherwise the log is told so, and `consequence`: what does not happen.
+  bool isComplete(const char* consequence) const;
 
 private:
   Lookup m_procAddress;

@@ -5,8 +5,6 @@
 
 #include <Inventor/C/glue/gl.h>
 
-#include <string>
-
 bool TeSeamlessGl::load(std::uint32_t context) {
   const cc_glglue* glue = cc_glglue_instance(int(context));
   // Libraries give the addresses of functions that a context cannot use.
@@ -90,7 +88,5 @@ bool TeSeamlessGl::load(const std::function<void*(const char*)>& procAddress) {
   gl.need("glBeginTransformFeedback", beginTransformFeedback);
   gl.need("glEndTransformFeedback", endTransformFeedback);
   gl.find("glDrawElementsInstancedBaseVertexBaseInstance", drawElementsInstancedBaseVertexBaseInstance);
-  if (gl.missing())
-    TeLog::error(std::string("seamless patches are not drawn: OpenGL lacks ") + gl.missing());
-  return !gl.missing();
+  return gl.isComplete("seamless patches are not drawn");
 }

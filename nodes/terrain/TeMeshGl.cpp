@@ -1,9 +1,6 @@
 #include "nodes/terrain/TeMeshGl.h"
 
-#include "generators/base/TeLog.h"
 #include "nodes/context/TeGlLoader.h"
-
-#include <string>
 
 bool TeMeshGl::load(std::uint32_t context) {
   TeGlLoader gl(context);
@@ -20,7 +17,5 @@ bool TeMeshGl::load(std::uint32_t context) {
   gl.need("glColorPointer", colorPointer);
   gl.need("glDrawElements", drawElements);
   gl.find("glBindVertexArray", bindVertexArray);
-  if (gl.missing())
-    TeLog::error(std::string("terrain is not drawn: OpenGL lacks ") + gl.missing());
-  return !gl.missing();
+  return gl.isComplete("terrain is not drawn");
 }

@@ -1,9 +1,6 @@
 #include "nodes/lod/drawing/TeLodGl.h"
 
-#include "generators/base/TeLog.h"
 #include "nodes/context/TeGlLoader.h"
-
-#include <string>
 
 bool TeLodGl::load(std::uint32_t context) {
   if (!TeMeshGl::load(context))
@@ -27,7 +24,5 @@ bool TeLodGl::load(std::uint32_t context) {
   gl.need("glEndList", endList);
   gl.need("glCallList", callList);
   gl.need("glDeleteLists", deleteLists);
-  if (gl.missing())
-    TeLog::error(std::string("terrain is not drawn: OpenGL lacks ") + gl.missing());
-  return !gl.missing();
+  return gl.isComplete("terrain is not drawn");
 }

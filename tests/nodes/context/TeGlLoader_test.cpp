@@ -1,8 +1,11 @@
 #include "nodes/context/TeGlLoader.h"
 
+#include "nodes/logLines.h"
+
 #include <gtest/gtest.h>
 
 #include <string>
+#include <vector>
 
 namespace {
 
@@ -21,7 +24,11 @@ TEST(TeGlLoader, GivesFunctionsByNameAndTellsOfTheFirstThatIsMissing) {
   EXPECT_EQ(function, nullptr);
   EXPECT_TRUE(gl.find("Second", function));
   EXPECT_EQ(gl.missing(), nullptr);
+  EXPECT_TRUE(gl.isComplete("nothing is drawn"));
   for (const char* name : {"No1", "Third", "No2"})
     gl.need(name, function);
   EXPECT_STREQ(gl.missing(), "No1");
+  LogLines log;
+  EXPECT_FALSE(gl.isComplete("nothing is drawn"));
+  EXPECT_EQ(log.lines, std::vector<std::string>{"nothing is drawn: OpenGL lacks No1"});
 }
